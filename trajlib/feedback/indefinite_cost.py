@@ -19,7 +19,6 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.covariances import definiteness
-from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import sign_of_number
 from trajlib.estimation.continuous_filter import riccati_closed_form, riccati_flow
 from trajlib.estimation.exact_or_float import identity_like, solve
@@ -208,15 +207,13 @@ def why_no_law(spread, steps):
     return reasons[sign] and f"no law of least cost: with {steps} steps to go {reasons[sign]}"
 
 
-def solve_indefinite_until(A, B, G, N, F, time_to_go):
+def solve_indefinite_until(A, B, G, N, F, t):
     """Return S at a time before S = F and the reason; S is None if there is no law."""
-    t, floats = exact_decimals(sp.sympify(time_to_go)), isinstance(A, np.ndarray)
+    floats = isinstance(A, np.ndarray)
     if t.free_symbols or (not floats and any(M.free_symbols for M in (A, B, G, N, F))):
         raise NotImplementedError(
             "indefinite weights up to a final time are judged for numbers; substitute the symbols"
         )
-    if not t.is_real or t < 0:
-        raise ValueError(f"time_to_go: expected a time that is not negative, got {time_to_go}")
     arrays = (np.array(M.tolist(), dtype=float) for M in (A, B, G, N, F))
     cost, escape = riccati_or_escape(*arrays, float(t)) if t else (F, None)
     if cost is None:

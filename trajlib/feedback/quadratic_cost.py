@@ -19,6 +19,7 @@ import sympy as sp
 from trajlib._arguments.covariances import is_semidefinite, read_covariance, read_symmetric
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._arguments.state_space import accepts_state_space
+from trajlib._arguments.symbols import exact_decimals
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
@@ -238,6 +239,14 @@ def finite_lqr(
     A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
     floats = isinstance(A, np.ndarray)
     F = read_symmetric(np.asarray(F, dtype=float) if floats else F, "F", A.shape[0], floats)
+    time_to_go = exact_decimals(sp.sympify(time_to_go))
+    if (
+        time_to_go.is_negative
+        or time_to_go.is_real is False
+        or (floats and time_to_go.free_symbols)
+    ):
+        kind = "time that is not negative" + " or a symbol" * (not floats)
+        raise ValueError(f"time_to_go: expected a {kind}, got {time_to_go}")
     if is_semidefinite(G) and is_semidefinite(F):
         cost = ContinuousFilter(A.T, B.T, G, N).covariance(F, time_to_go)
         reason = "the law of least cost up to the end"
