@@ -203,3 +203,124 @@ def test_verdicts_of_exact_indefinite_costs():
     assert feedback.lqr(1, 1, 0, 1, cross=-1).cost[0] == 2 + sp.sqrt(3)
     with pytest.raises(ValueError, match="stable: "):
         feedback.lqr(-1, 1, -2, 1, stable=False)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_indefinite_discrete_cost_has_a_law_or_a_frequency(seed):
+    rng = np.random.default_rng(seed)
+    a, b = rng.normal(size=(4, 4)) / 2, rng.normal(size=(4, 2))
+    weight = rng.normal(size=(4, 4))
+    weight, n = weight + weight.T, np.eye(2) * 10.0 ** (seed % 4)
+    law = feedback.discrete_lqr(a, b, weight, n)
+
+    def popov(w):
+        r = np.linalg.solve(np.exp(1j * w) * np.eye(4) - a, b)
+        return np.linalg.eigvalsh(n + r.conj().T @ weight @ r)[0]
+
+    assert bool(law) == (min(map(popov, np.linspace(0, np.pi, 2001))) > 0)
+    if not law:
+        assert popov(float(law.reason.split("frequency ")[1].split()[0])) < 0
+        return
+    assert np.abs(np.linalg.eigvals(a + b @ law.gain)).max() < 1
+    for _ in range(10):  # other stabilising laws cost more, from every state
+        gain = law.gain + 0.02 * rng.normal(size=(2, 4))
+        loop = a + b @ gain
+        if np.abs(np.linalg.eigvals(loop)).max() < 1:
+            other = scipy.linalg.solve_discrete_lyapunov(loop.T, weight + gain.T @ n @ gain)
+            assert np.linalg.eigvalsh(other - law.cost)[0] > -1e-9 * np.abs(law.cost).max()
+
+
+def test_verdicts_of_exact_indefinite_discrete_costs():
+    half, q = sp.Rational(1, 2), sp.Symbol("q", positive=True)
+    assert feedback.discrete_lqr(half, 1, -half / 3, 1).gain[0] == half / 3
+    assert "frequency 0 " in feedback.discrete_lqr(half, 1, -half, 1).reason
+    assert "frequency 3.14159 " in feedback.discrete_lqr(-half, 1, -half, 1).reason
+    assert "approached, by no law" in feedback.discrete_lqr(half, 1, -half / 2, 1).reason
+    assert (
+        "not stabilisable" in feedback.discrete_lqr(sp.diag(2, half), [0, 1], -sp.eye(2), 1).reason
+    )
+    # For q > 9/4 the equation has a stabilising solution with 1 + S < 0: no law either.
+    law = feedback.discrete_lqr(half, 1, -q, 1)
+    values = [law.where.subs(q, value) for value in (sp.Rational(1, 5), sp.Rational(1, 3), 3)]
+    assert values == [True, False, False]
+    assert not feedback.discrete_lqr(half, 1, -3, 1) and not feedback.discrete_lqr(0.5, 1, -3, 1)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_indefinite_cost_up_to_a_final_time(seed):
+    """The escape of S is a zero of det X for the linear flow of (X, S X), followed in small steps."""
+    rng = np.random.default_rng(seed)
+    n = 1 + seed % 4
+    a, b = rng.normal(size=(n, n)), rng.normal(size=(n, 1 + seed % 2))
+    weight, last = rng.normal(size=(2, n, n)) * rng.uniform(0, 1, size=(2, 1, 1))
+    weight, last, final = weight + weight.T, last + last.T, rng.uniform(0.3, 4)
+    law = feedback.finite_lqr(a, b, weight, np.eye(b.shape[1]), last, final)
+    step = scipy.linalg.expm(-np.block([[a, -b @ b.T], [-weight, -a.T]]) * final / 2000)
+    frame, escape = np.vstack([np.eye(n), last]), None
+    for k in range(2000):
+        frame = step @ frame
+        if np.linalg.det(frame[:n]) <= 0:
+            escape = final * (k + 0.5) / 2000
+            break
+        frame = frame @ np.linalg.inv(frame[:n]) if k % 20 == 19 else frame
+    assert bool(law) == (escape is None)
+    if law:
+        assert law.cost == pytest.approx(frame[n:] @ np.linalg.inv(frame[:n]), rel=1e-7, abs=1e-9)
+    else:
+        assert float(law.reason.split()[-1]) == pytest.approx(escape, abs=final / 1000)
+
+
+def test_exact_indefinite_cost_up_to_a_final_time():
+    """J = int (u^2 - x^2) dt, S = -tan(T - t); and two oscillators with escapes at pi/2 and pi."""
+    assert feedback.finite_lqr(0, 1, -1, 1, 0, 1).cost[0].equals(-sp.tan(1))
+    assert "time to go 1.5708" in feedback.finite_lqr(0, 1, -1, 1, 0, 2).reason
+    with pytest.raises(np.linalg.LinAlgError, match="not found"):
+        feedback.finite_lqr(0, 1, -1, 1, 0, sp.pi / 2)
+    with pytest.raises(NotImplementedError, match="numbers"):
+        feedback.finite_lqr(0, 1, -1, 1, 0, sp.Symbol("left", positive=True))
+    two = np.zeros((2, 2)), np.eye(2), np.diag([-1.0, -0.25]), np.eye(2)
+    assert "1.5708" in feedback.finite_lqr(*two, np.zeros((2, 2)), 10).reason
+    # With the weight tan(1) at the end S = -tan(s - 1); with one above 1 there is no escape for G = 1.
+    assert (
+        feedback.finite_lqr(0, 1, -1.0, 1, np.tan(1), 2.5)
+        and "2.5708" in feedback.finite_lqr(0, 1, -1.0, 1, np.tan(1), 3).reason
+    )
+    assert feedback.finite_lqr(0, 1, 1.0, 1, -0.9, 100)
+    assert "1.47222" in feedback.finite_lqr(0, 1, 1.0, 1, -1 / np.tanh(1.47222), 100).reason
+    # In units in which the position is 1e6 times as great the verdict is the same.
+    a, units = np.array([[0, 1.0], [0, 0]]), np.array([1e6, 1])
+    for G in (np.diag([-1.0, 0]), np.diag([-0.01, 0])):
+        plain = feedback.finite_lqr(a, [[0], [1.0]], G, 1, np.zeros((2, 2)), 3)
+        scaled = feedback.finite_lqr(
+            a * units[:, None] / units,
+            [[0], [1.0]],
+            G / np.outer(units, units),
+            1,
+            np.zeros((2, 2)),
+            3,
+        )
+        assert plain.reason == scaled.reason
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_indefinite_cost_of_some_steps(exact):
+    """The quadratic form of all controls decides: it is positive definite, or not."""
+    A, B = sp.Matrix([[1, 1], [0, 1]]), sp.Matrix([0, 1])
+    G, N, F = sp.diag(-1, 0), sp.Matrix([[4]]), sp.diag(0, -1)
+    given = A, B, G, N, F
+    laws = feedback.discrete_finite_lqr(
+        *(given if exact else (np.array(M, dtype=float) for M in given)), 6
+    )
+    for k, law in enumerate(laws):
+        steps = 6 - k
+        blocks = [sp.zeros(2, steps)]
+        for i in range(steps):
+            blocks.append(A * blocks[-1] + B * sp.eye(steps)[i, :])
+        form = 4 * sp.eye(steps) + blocks[-1].T * F * blocks[-1]
+        form += sum((x.T * G * x for x in blocks[:-1]), sp.zeros(steps))
+        assert bool(law) == bool(form.is_positive_definite)
+    assert any(laws) and not all(laws)
+    assert "no lower bound" in laws[0].reason
+    assert "no single law" in feedback.discrete_finite_lqr(1, 1, 0, 1, -1, 1)[0].reason
+    with pytest.raises(np.linalg.LinAlgError, match="not found"):
+        feedback.discrete_finite_lqr(1.0, 1, 0, 1, -1, 1)

@@ -306,8 +306,8 @@ def test_invalid_structures(structure, error, message):
         TRANSFER.solve(structure)
 
 
-def test_singular_where_no_derivative_contains_the_control():
-    with pytest.raises(WrongStructure, match="leaves u open on an arc"):
+def test_singular_arcs_of_a_controllable_linear_plant():
+    with pytest.raises(WrongStructure, match="u has no singular arc"):
         TRANSFER.solve(["u-", "singular", "u+"])
     with pytest.raises(PontryaginError, match="none of the structures"):
         compare(TRANSFER, [["u+", "u-"]])

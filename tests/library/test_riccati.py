@@ -155,6 +155,14 @@ def test_no_words_are_computed_before_they_are_asked_for(monkeypatch):
     estimation.stationary_filter(np.eye(3), np.eye(3), np.eye(3), np.eye(3))
 
 
+@pytest.mark.parametrize("gap", [1e-1, 1e-3, 1e-6])
+@pytest.mark.parametrize("solve", [feedback.lqr, feedback.discrete_lqr])
+def test_close_unstable_modes_are_not_found_without_warnings(solve, gap):
+    """Twenty-five modes from 1 on, one input: pytest turns a warning of SciPy into an error."""
+    with pytest.raises(np.linalg.LinAlgError, match="not found"):
+        solve(np.diag(1 + gap * np.arange(25)), np.ones((25, 1)), np.eye(25), np.eye(1))
+
+
 ROTATION = sp.Matrix([[3, -4], [4, 3]]) / 5
 #: Eigenvalues without a closed form: those of the companion matrix of l^3 + l^2 + l + 3 grow.
 COMPANION = sp.Matrix([[0, 1, 0], [0, 0, 1], [-3, -1, -1]])

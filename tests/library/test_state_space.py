@@ -1,5 +1,7 @@
 """python-control's StateSpace in place of matrices, its keywords, and lists of floats."""
 
+import inspect
+
 import control
 import numpy as np
 import pytest
@@ -85,7 +87,9 @@ def test_system_stands_in_the_place_of_its_matrices(function, rest, matrices, sy
     + [(function, rest, SYSTEM) for function, rest, _ in DISCRETE],
 )
 def test_system_in_the_other_time_is_refused(function, rest, system):
-    with pytest.raises(ValueError, match=r"expected a system in .* time, got .* time \(dt = .*; "):
+    name = next(iter(inspect.signature(function).parameters))
+    expected = rf"{name}: expected a system in .* time, got .* time \(dt = .*; "
+    with pytest.raises(ValueError, match=expected):
         function(system, *rest)
 
 

@@ -61,6 +61,19 @@ def is_semidefinite(matrix):
     return not _is_never_positive(matrix, False)
 
 
+def definiteness(matrix):
+    """Return 1 for a positive definite matrix of numbers, 0 for a singular semidefinite one, else -1.
+
+    0 for floats that may be any of these but for rounding.
+    """
+    if isinstance(matrix, np.ndarray):
+        least = _least_eigenvalues(matrix[None])[0]
+        return int(np.sign(least)) if abs(least) > ROUNDING else 0
+    if not _is_never_positive(matrix, True):
+        return 1
+    return -1 if _is_never_positive(matrix, False) else 0
+
+
 def read_covariance_stack(matrices, name):
     """Return a stack of symmetric positive semidefinite arrays, of shape (N, n, n)."""
     matrices = _read_symmetric_floats(matrices, name)

@@ -1,6 +1,7 @@
 """Reading of python-control's StateSpace in place of matrices, and of python-control's keywords."""
 
 import functools
+import inspect
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -16,24 +17,15 @@ def is_discrete(system):
     return is_state_space(system) and bool(system.dt)
 
 
-def require_continuous(system, instead):
-    """Raise ValueError for a StateSpace in discrete time; `instead` is the advice."""
-    if is_discrete(system):
+def _require_time(system, time, function, instead):
+    """Raise ValueError for a StateSpace, the first argument of a function, in the other time."""
+    if is_discrete(system) != (time == "discrete"):
+        name = next(iter(inspect.signature(function).parameters))
+        other = "continuous" if time == "discrete" else "discrete"
         raise ValueError(
-            f"A: expected a system in continuous time, got one in discrete time (dt = {system.dt}); "
+            f"{name}: expected a system in {time} time, got one in {other} time (dt = {system.dt}); "
             f"{instead}"
         )
-
-
-def _require_discrete(system, instead):
-    if not is_discrete(system):
-        raise ValueError(
-            f"Phi: expected a system in discrete time, got one in continuous time (dt = {system.dt}); "
-            f"{instead}"
-        )
-
-
-_REQUIRE = {"continuous": require_continuous, "discrete": _require_discrete}
 
 
 def accepts_state_space(
@@ -57,7 +49,7 @@ def accepts_state_space(
         if not names or not is_state_space(system):
             return args, named
         if time is not None:
-            _REQUIRE[time](system, instead)
+            _require_time(system, time, function, instead)
         named.pop(names[0], None)
         others = list(args[1:])
         matrices = [system.A]

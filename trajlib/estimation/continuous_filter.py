@@ -145,7 +145,7 @@ class ContinuousFilter:
         return (
             _propagated(P, *riccati_flow(self.A, S, self.Q, float(t)))
             if floats
-            else _closed_form(self.A, S, self.Q, P, t)
+            else riccati_closed_form(self.A, S, self.Q, P, t)
         )
 
     def run(self, averages: ArrayLike, times: ArrayLike, start: Moments) -> ContinuousRun:
@@ -245,7 +245,8 @@ class ContinuousFilter:
         return read_covariance(P, "P", self.A.shape[0], isinstance(self.A, np.ndarray))
 
 
-def _closed_form(A, S, Q, P, t):
+def riccati_closed_form(A, S, Q, P, t):
+    """Return the exact P(t) from P(0), S = H^T R^-1 H; t may be a symbol."""
     n = A.rows
     M = sp.Matrix(sp.BlockMatrix([[-A.T, S], [Q, A]]))
     to_real, from_real = as_real(M, P)

@@ -7,12 +7,12 @@ plus x_T^T F x_T. Its least value from x is x^T S x, and
     S_i = G + K_i^T N K_i + (A + B K_i)^T S_{i+1} (A + B K_i),    S_T = F.
 
 For the infinite horizon S is constant: it is the covariance before the measurement of the stationary
-filter for (A^T, B^T, G, N), and is solved there.
+filter for (A^T, B^T, G, N), and is solved there; with indefinite weights in `indefinite_cost`.
 """
 
 import sympy as sp
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.covariances import is_semidefinite, read_symmetric
 from trajlib._arguments.matrices import any_floats
 from trajlib._arguments.numbers import read_count
 from trajlib._arguments.state_space import accepts_state_space
@@ -20,6 +20,7 @@ from trajlib._typing import MatrixLike
 from trajlib.estimation.exact_or_float import solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
 from trajlib.estimation.stationary_filters import discrete_stationary_filter
+from trajlib.feedback.indefinite_cost import solve_indefinite, why_no_law
 from trajlib.feedback.quadratic_cost import (
     QuadraticRegulator,
     read_regulator,
@@ -56,11 +57,12 @@ def discrete_lqr(
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
+        Weight of the state, symmetric. If it is indefinite, or the whole form with `cross` is, the
+        verdict is a law, or that the cost has no lower bound, with a frequency at which it falls.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
     cross : matrix_like, shape (n, s), optional
-        Weight C of a further term 2 x^T C u of the cost, with which it stays semidefinite.
+        Weight C of a further term 2 x^T C u of the cost.
 
     Returns
     -------
@@ -72,7 +74,7 @@ def discrete_lqr(
     Raises
     ------
     ValueError
-        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+        If shapes do not fit, a weight is not symmetric, or N is not positive definite.
     numpy.linalg.LinAlgError
         If there is such a law, but the digits of floats did not suffice to find it.
     NotImplementedError
@@ -89,11 +91,18 @@ def discrete_lqr(
     >>> law = discrete_lqr(1, 1, 1, 1)
     >>> law.cost[0], law.gain[0]
     (1/2 + sqrt(5)/2, 1/2 - sqrt(5)/2)
+    >>> half = sp.Rational(1, 2)
+    >>> discrete_lqr(half, 1, -half / 3, 1).cost[0]
+    -1/4
+    >>> "no lower bound" in discrete_lqr(half, 1, -half, 1).reason
+    True
     """
     if cross is not None:
         A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
         return shifted(discrete_lqr(A, B, G, N), shift)
-    A, B, G, N = read_regulator(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
+    if not is_semidefinite(G):
+        return QuadraticRegulator(*solve_indefinite(A, B, G, N, True))
     filter = discrete_stationary_filter(A.T, B.T, G, N)
     if not filter:
         reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, True)]}"
@@ -130,11 +139,11 @@ def discrete_finite_lqr(
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
+        Weight of the state, symmetric.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
     F : matrix_like, shape (n, n)
-        Weight of the state after the last step; positive semidefinite.
+        Weight of the state after the last step; symmetric.
     steps : int
         Number of steps T, at least 1.
     cross : matrix_like, shape (n, s), optional
@@ -143,12 +152,16 @@ def discrete_finite_lqr(
     Returns
     -------
     tuple of QuadraticRegulator
-        T laws in the order of time; the cost of each is that from its step on.
+        T laws in the order of time; the cost of each is that from its step on. If the weights are
+        indefinite, a law is false in an `if`, with a reason, where N + B^T S B is not positive definite
+        from then on: the cost has no lower bound, or no single law attains it.
 
     Raises
     ------
     ValueError
-        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+        If shapes do not fit, a weight is not symmetric, or N is not positive definite.
+    numpy.linalg.LinAlgError
+        If floats do not tell whether N + B^T S B is positive definite.
 
     Notes
     -----
@@ -159,15 +172,25 @@ def discrete_finite_lqr(
     --------
     >>> [law.gain[0] for law in discrete_finite_lqr(1, 1, 1, 1, 0, 3)]
     [-3/5, -1/2, 0]
+    >>> [bool(law) for law in discrete_finite_lqr(1, 1, -1, 2, 0, 3)]
+    [False, True, True]
     """
     if cross is not None:
         A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
         return tuple(shifted(law, shift) for law in discrete_finite_lqr(A, B, G, N, F, steps))
     floats = any_floats(A, B, G, N, F)
-    A, B, G, N = read_regulator(A, B, G, N, floats)
-    cost, laws = read_covariance(F, "F", A.shape[0], floats), []
-    for _ in range(read_count(steps, "steps", 1)):
-        gain = -solve(symmetric(N + B.T @ cost @ B), B.T @ cost @ A)
+    A, B, G, N = read_regulator(A, B, G, N, floats, read_symmetric)
+    F = read_symmetric(F, "F", A.shape[0], floats)
+    laws: list[QuadraticRegulator] = []
+    cost, steps = F, read_count(steps, "steps", 1)
+    semidefinite = is_semidefinite(G) and is_semidefinite(F)
+    while len(laws) < steps:
+        spread = symmetric(N + B.T @ cost @ B)
+        if not semidefinite and (reason := why_no_law(spread, len(laws) + 1)):
+            none = QuadraticRegulator(None, None, None, sp.false, reason)
+            laws += [none] * (steps - len(laws))
+            break
+        gain = -solve(spread, B.T @ cost @ A)
         loop = tidy(A + B @ gain)
         cost = symmetric(G + gain.T @ N @ gain + loop.T @ cost @ loop)
         laws.append(QuadraticRegulator(cost, gain, loop, sp.true, "the law of least cost"))

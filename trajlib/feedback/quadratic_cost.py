@@ -19,12 +19,13 @@ import sympy as sp
 from trajlib._arguments.covariances import is_semidefinite, read_covariance, read_symmetric
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._arguments.state_space import accepts_state_space
+from trajlib._arguments.symbols import exact_decimals
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
 from trajlib.estimation.stationary_filters import stationary_filter
-from trajlib.feedback.indefinite_cost import solve_indefinite
+from trajlib.feedback.indefinite_cost import solve_indefinite, solve_indefinite_until
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
@@ -153,7 +154,7 @@ def lqr(
     if not is_semidefinite(G):
         if not stable:
             raise ValueError("stable: the least cost without stability is for semidefinite weights")
-        return QuadraticRegulator(*solve_indefinite(A, B, G, N))
+        return QuadraticRegulator(*solve_indefinite(A, B, G, N, False))
     if not stable:
         return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
@@ -192,55 +193,69 @@ def finite_lqr(
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
+        Weight of the state, symmetric. If it or F is indefinite, the verdict, for numbers, is a law, or
+        that the cost has no lower bound, with the time to go at which S escapes to infinity.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
     F : matrix_like, shape (n, n)
-        Weight of the final state, x(T)^T F x(T); positive semidefinite.
+        Weight of the final state, x(T)^T F x(T); symmetric.
     time_to_go : float or sympy.Expr
-        T - t >= 0: a number or, for exact matrices, a symbol.
+        T - t >= 0: a number or, for exact matrices and semidefinite weights, a symbol.
     cross : matrix_like, shape (n, s), optional
-        Weight C of a further term 2 x^T C u of the cost, with which it stays semidefinite.
+        Weight C of a further term 2 x^T C u of the cost.
 
     Returns
     -------
     QuadraticRegulator
-        S, K and A + BK at the instant T - `time_to_go`.
+        S, K and A + BK at the instant T - `time_to_go`; false in an `if`, with a reason, if the cost
+        has no lower bound.
 
     Raises
     ------
-    ValueError, numpy.linalg.LinAlgError, NotImplementedError
-        As `lqr`.
+    ValueError
+        If shapes do not fit, a weight is not symmetric, or N is not positive definite.
+    numpy.linalg.LinAlgError
+        If floats do not tell whether S escapes before the time to go.
+    NotImplementedError
+        For exact spectra beyond square roots, and for symbols with indefinite weights.
 
     Notes
     -----
     Keywords of python-control: `Q`, `R` for `G`, `N`.
-    The sign is u = Kx. Source: section 5.4 of the problem book.
+    The sign is u = Kx. Source: section 5.4 of the problem book; added are cross terms and indefinite
+    weights.
 
     Examples
     --------
     >>> left = sp.Symbol("left", positive=True)
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
     -1/(left + 1)
+    >>> print(finite_lqr(0, 1, -1, 1, 0, 2).reason)    # S = -tan(T - t)
+    no law of least cost: the cost has no lower bound, S escapes to infinity at the time to go 1.5708
     """
     if cross is not None:
         A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
         return shifted(finite_lqr(A, B, G, N, F, time_to_go), shift)
-    A, B, G, N = read_regulator(A, B, G, N)
-    dual = ContinuousFilter(A.T, B.T, G, N)
-    F = read_covariance(
-        F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float),
-        "F",
-        A.shape[0],
-        isinstance(A, np.ndarray),
-    )
-    cost = dual.covariance(F, time_to_go)
-    gain = -(
-        N.inv() * B.T * cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost)
-    )
-    return QuadraticRegulator(
-        cost, gain, A + B @ gain, sp.true, "the law of least cost up to the end"
-    )
+    A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
+    floats = isinstance(A, np.ndarray)
+    F = read_symmetric(np.asarray(F, dtype=float) if floats else F, "F", A.shape[0], floats)
+    time_to_go = exact_decimals(sp.sympify(time_to_go))
+    if (
+        time_to_go.is_negative
+        or time_to_go.is_real is False
+        or (floats and time_to_go.free_symbols)
+    ):
+        kind = "time that is not negative" + " or a symbol" * (not floats)
+        raise ValueError(f"time_to_go: expected a {kind}, got {time_to_go}")
+    if is_semidefinite(G) and is_semidefinite(F):
+        cost = ContinuousFilter(A.T, B.T, G, N).covariance(F, time_to_go)
+        reason = "the law of least cost up to the end"
+    else:
+        cost, reason = solve_indefinite_until(A, B, G, N, F, time_to_go)
+        if cost is None:
+            return QuadraticRegulator(None, None, None, sp.false, reason)
+    gain = -(np.linalg.solve(N, B.T @ cost) if floats else N.inv() * B.T * cost)
+    return QuadraticRegulator(cost, gain, A + B @ gain, sp.true, reason)
 
 
 def without_cross_term(A, B, G, N, cross):

@@ -285,7 +285,8 @@ def singular_control(numeric, i, control, kinds):
 
     Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises
     `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is
-    not at a bound acts on them.
+    not at a bound acts on them, or if all of them vanish for zero multipliers only: then the control is
+    at its bounds, as in every controllable linear plant, and there is no such arc.
     """
     if not numeric.affine[i]:
         raise WrongStructure(
@@ -316,10 +317,32 @@ def singular_control(numeric, i, control, kinds):
         if order % 2 == 0 and not _vanishes(numeric, factor):
             return derivatives, -_without(derivative, u, moving) / _without(factor, u, moving)
         derivatives.append(_without(derivative, u, moving))
+    name = numeric.problem.control[i]
+    if _zero_multipliers_only(numeric, derivatives):
+        raise WrongStructure(
+            f"{name} has no singular arc, since the maximum condition leaves it open at single instants "
+            "only; where the grid shows such an arc, switchings nearly coincide"
+        )
     raise NotUnique(
-        f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching "
-        "function vanishes there whatever it does"
+        f"the maximum condition leaves {name} open on an arc: its switching function vanishes there "
+        "whatever it does"
     )
+
+
+def _zero_multipliers_only(numeric, derivatives):
+    """Check whether expressions linear in (psi, lambda_0), and H of a free final time, have no common zero.
+
+    At fixed points as in `_vanishes`: for a nonlinear plant true but for exceptional states.
+    """
+    free_time = [numeric.hamiltonian] if numeric.problem.free_time else []
+    multipliers = ca.vertcat(numeric.psi, numeric.multiplier)
+    rows = ca.jacobian(ca.vertcat(*derivatives, *free_time), multipliers)
+    # Shares of the largest entry of a row: the derivatives have units of their own.
+    values = [
+        value / np.maximum(abs(value).max(axis=1, keepdims=True), 1e-300)
+        for value in _at_fixed_points(numeric, rows)
+    ]
+    return all(np.linalg.matrix_rank(value, tol=1e-9) == numeric.n + 1 for value in values)
 
 
 def constant_angle_conditions(numeric, i):
@@ -347,21 +370,21 @@ def _vanishes(numeric, factor):
     """
     if factor.nnz() == 0:
         return True
+    return max(np.abs(value).max() for value in _at_fixed_points(numeric, factor)) < 1e-9
+
+
+def _at_fixed_points(numeric, expression):
+    """Return the values of an expression at four fixed points near the initial state."""
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
-    value = ca.Function("factor", arguments, [factor])
+    function = ca.Function("values", arguments, [expression])
     random = np.random.default_rng(0)
     centre = np.nan_to_num(numeric.start)
-    values = [
-        abs(
-            float(
-                value(
-                    centre + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(centre)),
-                    random.standard_normal(numeric.n),
-                    numeric.middle(),
-                    1.0,
-                )
-            )
-        )
+    return [
+        function(
+            centre + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(centre)),
+            random.standard_normal(numeric.n),
+            numeric.middle(),
+            1.0,
+        ).full()
         for _ in range(4)
     ]
-    return max(values) < 1e-9

@@ -26,12 +26,14 @@ def candidate_structures(numeric, solution):
 
     Where an angle alternates along an axis, it may be constant on its arcs. A control that
     approaches its bound ever more slowly, as where psi has a multiple zero at the end, is near the
-    bound long before: it may be on an interior arc to the end.
+    bound long before: it may be on an interior arc to the end. Where a switching function is flat about
+    a zero, switchings may be closer to one another than the grid shows.
     """
     contact_lists = contact_structures(numeric, solution)
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
     structures = []
     options = ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT})
+    options += ({"tolerance": AT, "more_switchings": True},) * any(numeric.affine)
     for contacts, option in itertools.product(contact_lists, options):
         arcs = detect_arcs(numeric, solution, **option, contacts=contacts)
         kinds = [(arc.kinds, arc.touch) for arc in arcs]
@@ -45,11 +47,13 @@ def detect_arcs(
     solution: DirectSolution,
     tolerance: float = NEAR,
     constant_angles: bool = False,
+    more_switchings: bool = False,
     contacts: list[Contact] | None = None,
 ) -> list[Arc]:
     """Return the arcs of a discrete solution.
 
     `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn.
+    `more_switchings`: what would be a singular arc between bounds is a group of switchings.
     An interval belongs to a bound if its control is there to within `tolerance` of the distance
     between the bounds. `contacts`: with the boundaries of path constraints, by default the
     likeliest. One or two intervals between different bounds are a switching between the
@@ -65,7 +69,9 @@ def detect_arcs(
     if contacts is None:
         contacts = contact_structures(numeric, solution)[0]
     columns = with_boundary_labels(numeric, solution, columns, contacts)
-    boundaries = [_runs(numeric, solution, i, column) for i, column in enumerate(columns)]
+    boundaries = [
+        _runs(numeric, solution, i, column, more_switchings) for i, column in enumerate(columns)
+    ]
     edges = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
     step = solution.duration / N
     arcs = []
@@ -103,7 +109,7 @@ def _labels(numeric, solution, i, tolerance):
     )
 
 
-def _runs(numeric, solution, i, labels):
+def _runs(numeric, solution, i, labels, more_switchings):
     """Return [(kind, begin, end)] in units of the intervals."""
     runs = _run_lengths(labels)
     between = "singular" if numeric.affine[i] else "interior"
@@ -112,6 +118,8 @@ def _runs(numeric, solution, i, labels):
     bounded = np.isfinite([numeric.lower[i], numeric.upper[i]]).all()
     if numeric.affine[i]:
         runs = _without_ringing(runs)
+        if more_switchings:
+            runs = _with_more_switchings(numeric, solution, i, runs)
     result = []
     for index in range(len(runs)):
         label, begin, end = runs[index]
@@ -168,6 +176,37 @@ def _without_ringing(runs):
         ):
             changed[index] = ("between", begin, end)
     return _merged(changed)
+
+
+def _with_more_switchings(numeric, solution, i, runs):
+    """Replace long runs between two bounds by three switchings, or by two at the same bound.
+
+    They lie symmetrically about the one that the mean of the control asks for.
+    """
+    opposite, result = {"u-": "u+", "u+": "u-"}, []
+    for index, (label, begin, end) in enumerate(runs):
+        before, after = (runs[j][0] if 0 <= j < len(runs) else None for j in (index - 1, index + 1))
+        if label != "between" or end - begin <= 2 or not {before, after} <= set(opposite):
+            result.append((label, begin, end))
+            continue
+        share = _share_of(before, numeric, solution, i, begin, end)
+        if before == after:
+            edge = share * (end - begin) / 2
+            ends, kinds = [begin, begin + edge, end - edge, end], [before, opposite[before], before]
+        else:
+            middle = begin + share * (end - begin)
+            edge = min(middle - begin, end - middle) / 2
+            ends = [begin, middle - edge, middle, middle + edge, end]
+            kinds = [before, after, before, after]
+        result += list(zip(kinds, ends, ends[1:]))
+    return _merged(result)
+
+
+def _share_of(bound, numeric, solution, i, begin, end):
+    """Return the share of the intervals on which a control of the same mean is at this bound."""
+    low, high = numeric.lower[i], numeric.upper[i]
+    share = (np.mean(solution.controls[begin:end, i]) - low) / (high - low)
+    return float(np.clip(share if bound == "u+" else 1 - share, 0.02, 0.98))
 
 
 def _run_lengths(labels):
