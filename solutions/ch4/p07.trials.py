@@ -6,7 +6,7 @@ covariance = first[0] * second[0] * means[0] ** 2 + covariance
 # Is it the variances that stand below, or their roots? (hint 1)
 correlation = correlation**2 / covariance
 # Was every coefficient squared? (hint 2)
-own = [abs(w) * s**2 for w, s in zip(first + second, sigma[:3] + [sigma[0], sigma[3]])]
+own = [abs(w) * s**2 for w, s in zip(first + second, [*sigma[:3], sigma[0], sigma[3]])]
 correlation = covariance / sp.sqrt(sum(own[:3]) * sum(own[3:]))
 correlation = covariance  # Is this the covariance? (hint 1)
 
