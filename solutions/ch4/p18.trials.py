@@ -1,23 +1,32 @@
 # %% wrong
-# Does an entry of the noise enter twice? (hint 1)
-limit = sp.Matrix([[sp.Rational(1, 30), 0], [0, sp.Rational(1, 5)]])
-# Is the speed as large as the position? (hint 2)
-limit = sp.Matrix([[sp.Rational(1, 60), 0], [0, sp.Rational(1, 60)]])
-# Have the two coordinates changed places?
-limit = sp.Matrix([[sp.Rational(1, 10), 0], [0, sp.Rational(1, 60)]])
+limit = 2 * limit  # Does an entry of the noise enter twice? (hint 1)
+limit = limit[0, 0] * sp.eye(2)  # Is the speed as large as the position? (hint 2)
+limit = sp.diag(limit[1, 1], limit[0, 0])  # Have the two coordinates changed places?
 limit = sp.zeros(2)  # The system decays. What does the noise do meanwhile? (hint 1)
 # Is there one exponential only? (hint 1)
-motion = sp.diag((1 - sp.exp(-4 * t)) / 60, (1 - sp.exp(-4 * t)) / 10)
+slow = max(process.A.eigenvals())
+motion = limit * (1 - sp.exp(2 * slow * t))
 # Which entries does the push have besides its square? Was the correlation left out? (hint 2)
-limits = sp.Rational(1, 60), sp.Rational(1, 10)
-motion = sp.diag(
-    limits[0] - sp.exp(-4 * t) / 4 + 2 * sp.exp(-5 * t) / 5 - sp.exp(-6 * t) / 6,
-    limits[1] - sp.exp(-4 * t) + 12 * sp.exp(-5 * t) / 5 - 3 * sp.exp(-6 * t) / 2,
-)
-# Which value does this matrix have at $t = 0$?
-motion = sp.diag(sp.Rational(1, 60), sp.Rational(1, 10))
+motion = sp.diag(motion[0, 0], motion[1, 1])
+motion = limit  # Which value does this matrix have at $t = 0$?
 
 # %% right
 # by the matrix exponential
 E = (process.A * t).exp()
-motion = sp.diag(1, 6) / 60 - E * sp.diag(1, 6) / 60 * E.T
+motion = limit - E * limit * E.T
+
+# %% numbers
+stiffness, friction = [
+    (p * q, p + q)
+    for p, q in [
+        *[(2, 3), (1, 2), (1, 3), (1, 4), (1, 5), (2, 4), (2, 5), (2, 6)],
+        *[(3, 4), (3, 5), (3, 6), (4, 5), (4, 6), (5, 6)],
+    ]
+]
+shown = [r"\ddot x + «friction*»\dot x + «stiffness*»x = q"]
+limit = sp.diag(sp.Rational(1, 2 * stiffness * friction), sp.Rational(1, 2 * friction))
+s = sp.Symbol("s")
+slow, fast = sorted(process.A.eigenvals(), reverse=True)
+push = (sp.exp(slow * s) - sp.exp(fast * s)) / (slow - fast)
+pushes = sp.Matrix([push, push.diff(s)])
+motion = (pushes * pushes.T).applyfunc(lambda e: sp.integrate(sp.expand(e), (s, 0, t)))

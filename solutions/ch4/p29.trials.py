@@ -1,17 +1,65 @@
 # %% wrong
-before = 3 * sp.exp(-2)  # Does noise act on the way?
-before = 3 * sp.exp(-2) + 6 * (1 - sp.exp(-2))  # At which rate do variances decay?
-before = sp.sqrt(3)  # Is this the standard deviation?
-estimate = sp.Rational(5, 2)  # Has the mean moved since the start? (hint 2)
-estimate = sp.Rational(5, 2) * sp.exp(-1)  # At which time is it measured here? (hint 1)
-estimate = sp.exp(-1)  # Was anything measured here?
-estimate = 3  # Is the measurement without an error?
-deviation = sp.Rational(3, 4)  # Is this the variance? (hint 1)
-deviation = sp.sqrt(3)  # Is this before the measurement? (hint 1)
-deviation = sp.sqrt(3 - sp.Rational(9, 4) * sp.exp(-2))  # At which time is it measured here?
-deviation = 1  # Is the measurement the only source of information?
+before = variance * sp.exp(-2 * rate)  # Does noise act on the way?
+# At which rate do variances decay?
+before = variance * sp.exp(-2 * rate) + intensity * (1 - sp.exp(-2 * rate))
+before = sp.sqrt(variance)  # Is this the standard deviation?
+# Has the mean moved since the start? (hint 2)
+estimate = mean + sp.Rational(variance, variance + error) * (reading - mean)
+# At which time is it measured here? (hint 1)
+estimate = (mean + sp.Rational(variance, variance + error) * (reading - mean)) * sp.exp(-rate)
+estimate = mean * sp.exp(-rate)  # Was anything measured here?
+estimate = reading  # Is the measurement without an error?
+deviation = deviation**2  # Is this the variance? (hint 1)
+deviation = sp.sqrt(variance)  # Is this before the measurement? (hint 1)
+# At which time is it measured here?
+decay = sp.exp(-2 * rate)
+deviation = sp.sqrt(deviation**2 * decay + variance * (1 - decay))
+deviation = sp.sqrt(error)  # Is the measurement the only source of information?
 
 # %% right
-estimate = (sp.exp(-1) / 3 + 3) / (sp.Rational(1, 3) + 1)  # weights inverse to the variances
-deviation = 1 / sp.sqrt(1 + sp.Rational(1, 3))  # the inverse variances add up
-before = 3 * sp.exp(-2) + 3 * (1 - sp.exp(-2))  # what is left and what is new
+# weights inverse to the variances
+weights = sp.Rational(1, variance), sp.Rational(1, error)
+estimate = (mean * sp.exp(-rate) * weights[0] + reading * weights[1]) / sum(weights)
+# the inverse variances add up
+deviation = 1 / sp.sqrt(sp.Rational(1, variance) + sp.Rational(1, error))
+# what is left and what is new
+decay = sp.exp(-2 * rate)
+before = variance * decay + sp.Rational(intensity, 2 * rate) * (1 - decay)
+
+
+# %% numbers
+def row(rate, mean, variance, error, reading):
+    """Numbers with the intensity that keeps the variance."""
+    return rate, 2 * rate * variance, mean, variance, error, reading
+
+
+rate, intensity, mean, variance, error, reading = [
+    row(*parts)
+    for parts in [
+        (1, 1, 3, 1, 3),
+        (1, 2, 2, 1, 5),
+        (2, 1, 5, 2, 4),
+        (1, 3, 5, 1, 1),
+        (2, 2, 2, 3, 4),
+        (1, 1, 6, 3, 5),
+        (3, 1, 2, 3, 5),
+        (2, 3, 5, 3, 1),
+        (1, 2, 6, 2, 4),
+        (2, 1, 7, 2, 5),
+        (1, 4, 5, 5, 2),
+        (3, 2, 6, 3, 5),
+        (2, 4, 2, 1, 3),
+        (1, 3, 7, 3, 5),
+    ]
+]
+shown = [
+    r"\dot x = -«rate*»x + q",
+    r"«intensity»\,\delta(t - s)",
+    r"\mu_x(0) = «mean», \quad \sigma_x(0) = \sqrt«str(variance)»",
+    r"$E[r^2] = «error»$ gives $z = «reading»$",
+    r"$\dot P = -«2 * rate»P + «intensity»$",
+]
+before = sp.Integer(variance)
+forecast = mean * sp.exp(-rate)
+estimate = forecast + sp.Rational(variance, variance + error) * (reading - forecast)
+deviation = sp.sqrt(sp.Rational(variance * error, variance + error))

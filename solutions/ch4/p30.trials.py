@@ -1,20 +1,54 @@
 # %% wrong
-estimate = 1  # Was anything measured here?
-estimate = 2  # Is the measurement without an error?
-estimate = sp.Rational(3, 2)  # Has the variance stayed as it was at the start? (hint 1)
-estimate = sp.Rational(5, 4)  # Are the weights of the two pieces of evidence interchanged?
-deviation = sp.Rational(3, 4)  # Is this the variance? (hint 1)
-deviation = sp.sqrt(3)  # Is this before the measurement? (hint 1)
-deviation = sp.sqrt(sp.Rational(1, 2))  # Has the variance stayed as it was at the start?
-start_estimate = 1  # Is the later measurement uncorrelated with the initial value? (hint 1)
+estimate = mean  # Was anything measured here?
+estimate = reading  # Is the measurement without an error?
+# Has the variance stayed as it was at the start? (hint 1)
+estimate = mean + sp.Rational(spread**2, spread**2 + error) * (reading - mean)
+estimate = mean + reading - estimate  # Are the weights of the two pieces of evidence interchanged?
+deviation = deviation**2  # Is this the variance? (hint 1)
+deviation = sp.sqrt(spread**2 + intensity)  # Is this before the measurement? (hint 1)
+# Has the variance stayed as it was at the start?
+deviation = sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
+# Is the later measurement uncorrelated with the initial value? (hint 1)
+start_estimate = mean
 # Is the noise on the way an error for this estimate? (hint 1)
-start_estimate = sp.Rational(3, 2)
-start_estimate = sp.Rational(7, 4)  # Is this the end of the interval? (hint 1)
-start_deviation = 1  # Is the later measurement uncorrelated with the initial value?
-start_deviation = sp.Rational(3, 4)  # Is this the variance?
+start_estimate = mean + sp.Rational(spread**2, spread**2 + error) * (reading - mean)
+start_estimate = estimate  # Is this the end of the interval? (hint 1)
+start_deviation = spread  # Is the later measurement uncorrelated with the initial value?
+start_deviation = start_deviation**2  # Is this the variance?
 # Is the noise on the way an error for this estimate? (hint 1)
-start_deviation = sp.sqrt(sp.Rational(1, 2))
+start_deviation = sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
 
 # %% right
-estimate = sp.Rational(1 * 1 + 3 * 2, 4)  # a mean with the inverse variances as weights
-start_deviation = 1 / sp.sqrt(1 + sp.Rational(1, 3))  # the inverse variances add up
+# a mean with the inverse variances as weights
+whole = spread**2 + intensity
+estimate = sp.Rational(error * mean + whole * reading, whole + error)
+# the inverse variances add up
+start_deviation = 1 / sp.sqrt(sp.Rational(1, spread**2) + sp.Rational(1, intensity + error))
+
+# %% numbers
+intensity, mean, spread, error, reading = [
+    (2, 1, 1, 1, 2),
+    (3, 2, 2, 2, 5),
+    (2, 3, 1, 4, 1),
+    (4, 1, 2, 3, 4),
+    (5, 2, 3, 2, 3),
+    (3, 1, 1, 3, 6),
+    (6, 4, 2, 1, 2),
+    (2, 2, 3, 5, 6),
+    (5, 3, 1, 2, 5),
+    (4, 2, 3, 1, 4),
+    (3, 5, 2, 6, 1),
+    (7, 1, 1, 2, 5),
+    (2, 4, 2, 3, 6),
+    (6, 3, 3, 2, 1),
+]
+shown = [
+    r"«intensity»\,\delta(t - s)",
+    r"\mu_x(0) = «mean», \quad \sigma_x(0) = «spread»",
+    r"$E[r^2] = «error»$ gives $z = «reading»$",
+]
+whole = spread**2 + intensity
+estimate = mean + sp.Rational(whole, whole + error) * (reading - mean)
+deviation = sp.sqrt(sp.Rational(whole * error, whole + error))
+start_estimate = mean + sp.Rational(spread**2, whole + error) * (reading - mean)
+start_deviation = spread * sp.sqrt(sp.Rational(intensity + error, whole + error))

@@ -1,29 +1,52 @@
 # %% wrong
 # Was the growth of the coordinates forgotten? Look at the second row of A. (hint 1)
-covariance = sp.Matrix(
-    [[sp.sqrt(2 * sp.sqrt(3)), sp.sqrt(3)], [sp.sqrt(3), sp.sqrt(6 * sp.sqrt(3))]]
-)
-# Are these the errors of a system that swings? Which sign has $x_1$ in the second equation? (hint
-# 1)
-covariance = sp.Matrix([[sp.sqrt(2), 1], [1, 2 * sp.sqrt(2)]])
+root = sp.sqrt(intensity)
+first = sp.sqrt(2 * root)
+covariance = sp.Matrix([[first, root], [root, first * root]])
+# Are these the errors of a system that swings? Which sign has $x_1$ in the second equation?
+# (hint 1)
+joint = covariance[0, 1] - 2 * growth
+first = sp.sqrt(2 * joint)
+covariance = sp.Matrix([[first, joint], [joint, first * (joint + growth)]])
 # Are the errors of both coordinates independent? (hint 1)
-covariance = sp.diag(sp.sqrt(6), 2 * sp.sqrt(6))
+covariance = sp.diag(covariance[0, 0], covariance[1, 1])
 # Which term of the middle equation was left out? (hint 1)
-covariance = sp.Matrix([[sp.sqrt(6), 3], [3, 3 * sp.sqrt(6)]])
-gain = [3, sp.sqrt(6)]  # Have the two entries changed places? (hint 1)
-gain = [3, 2 * sp.sqrt(6)]  # Which column of the covariance does this measurement take? (hint 1)
-gain = [0, -1]  # Is the variance that belongs to this gain more than zero? (hint 1)
-eigenvalues = [1, -1]  # Are these the eigenvalues of the system, without a filter? (hint 1)
-# Was the entry of A forgotten that stands in the same place as the second entry of the gain? (hint
-# 2)
-eigenvalues = [(-sp.sqrt(6) + sp.I * sp.sqrt(6)) / 2, (-sp.sqrt(6) - sp.I * sp.sqrt(6)) / 2]
-# Do errors with these eigenvalues decay? (hint 2)
-eigenvalues = [(sp.sqrt(6) + sp.I * sp.sqrt(2)) / 2, (sp.sqrt(6) - sp.I * sp.sqrt(2)) / 2]
+first, joint, *_ = covariance
+covariance = sp.Matrix([[first, joint], [joint, first * joint]])
+gain = gain[::-1]  # Have the two entries changed places? (hint 1)
+# Which column of the covariance does this measurement take? (hint 1)
+gain = list(covariance[:, 1])
+# Is the variance that belongs to this gain more than zero? (hint 1)
+gain = [0, 2 * growth - gain[1]]
+# Are these the eigenvalues of the system, without a filter? (hint 1)
+eigenvalues = list(A.eigenvals())
+# Was the entry of A forgotten that stands in the same place as the second entry of the gain?
+# (hint 2)
+eigenvalues = [gain[0] * (-1 + sign * sp.I) / 2 for sign in (1, -1)]
+eigenvalues = [-value for value in eigenvalues]  # Do errors with these eigenvalues decay? (hint 2)
 
 # %% right
 # by the modulus and the angle
-eigenvalues = [
-    sp.sqrt(2) * sp.exp(5 * sp.pi * sp.I / 6),
-    sp.sqrt(2) * sp.exp(-5 * sp.pi * sp.I / 6),
+modulus = sp.sqrt(gain[1] - growth)
+angle = sp.acos(-gain[0] / (2 * modulus))
+eigenvalues = [modulus * sp.exp(sign * sp.I * angle) for sign in (1, -1)]
+gain = [sp.sqrt(2) * sp.sqrt(gain[1]), sp.sqrt(gain[1] ** 2)]  # other roots
+
+# %% numbers
+growth, intensity = [
+    (growth, root**2 - growth**2)
+    for growth, root in [
+        *[(1, 2), (1, 3), (1, 4), (1, 5), (2, 3), (2, 4), (2, 5)],
+        *[(3, 4), (3, 5), (3, 6), (4, 5), (4, 6), (5, 6), (5, 7)],
+    ]
 ]
-gain = [sp.sqrt(2) * sp.sqrt(3), sp.sqrt(9)]  # other roots
+shown = [
+    r"\dot x_2 &= «growth*»x_1 + \xi,",
+    r"«intensity»\,\delta(t - s)",
+    r"$k_2 - «growth»$",
+]
+joint = growth + sp.sqrt(growth**2 + intensity)
+first = sp.sqrt(2 * joint)
+covariance = sp.Matrix([[first, joint], [joint, first * (joint - growth)]])
+gain = [first, joint]
+eigenvalues = [(-first + sign * sp.I * sp.sqrt(2 * joint - 4 * growth)) / 2 for sign in (1, -1)]

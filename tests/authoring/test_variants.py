@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from workbook.authoring import Links, MasterError, read, student_notebook
+from workbook.authoring import Links, MasterError, read, read_all, student_notebook
 from workbook.authoring.contract import master_file
 from workbook.authoring.numbers import NumbersError, phrases, read_numbers, row_texts, with_row
 from workbook.authoring.student_notebook import baseurl
@@ -19,12 +19,7 @@ from workbook.mistakes import find_mistake
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
-#: The problems with a section of numbers.
-VARYING = [
-    f"{path.parent.name[2:]}.{int(path.name[1:3])}"
-    for path in sorted(ROOT.glob("solutions/ch*/p*.trials.py"))
-    if "# %% numbers" in path.read_text("utf-8")
-]
+VARYING = [master.number for master in read_all(ROOT / "solutions") if master.numbers]
 MASTER = read(ROOT / "solutions" / master_file("2.4"))
 ROWS = "weight, friction, stiffness = [(1, 3, 2), (2, 7, 10)]\n"
 ANSWERS = """\
