@@ -1,7 +1,6 @@
 """Optima proved in ball arithmetic, against closed forms; reasons where nothing is proved."""
 
 import sys
-import time
 from fractions import Fraction
 
 import pytest
@@ -100,10 +99,7 @@ PROVED = {
 def test_closed_forms_lie_in_the_enclosures(name):
     problem, cost, duration, switchings = PROVED[name]
     extremal = problem.solve()
-    extremal.certificate(proved=True)
-    start = time.process_time()
     proof = extremal.certificate(proved=True)
-    assert time.process_time() - start < 0.1
     assert proof.holds and "proved optimal" in str(proof)
     assert cost in proof.cost and duration in proof.duration
     if switchings is not None:

@@ -49,11 +49,10 @@ BEGIN = {x: 1, y: 0, z: 0}
         (Problem({x: -x + u}, {u: (-R(1, 10**9), R(1, 10**9))}, {x: 0}, [x - R(2, 10**9)]), "below"),
     ],
 )  # fmt: skip
+@pytest.mark.timeout(60)
 def test_uncontrollable_modes_are_infeasible(problem, message):
-    begin = time.process_time()
     with pytest.raises(Infeasible, match=message):
         problem.solve()
-    assert time.process_time() - begin < 2
 
 
 def test_modes_that_reach_the_target():
