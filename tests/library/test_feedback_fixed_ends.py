@@ -287,6 +287,9 @@ def test_exact_indefinite_cost_up_to_a_final_time():
     )
     assert feedback.finite_lqr(0, 1, 1.0, 1, -0.9, 100)
     assert "1.47222" in feedback.finite_lqr(0, 1, 1.0, 1, -1 / np.tanh(1.47222), 100).reason
+    # A great weight at the end is no escape: S tends to that of the fixed end, cot(s).
+    assert feedback.finite_lqr(0, 1, -1.0, 1, 1e14, 1.0).cost[0, 0] == pytest.approx(1 / np.tan(1))
+    assert "3.14159" in feedback.finite_lqr(0, 1, -1.0, 1, 1e14, 4.0).reason
     # In units in which the position is 1e6 times as great the verdict is the same.
     a, units = np.array([[0, 1.0], [0, 0]]), np.array([1e6, 1])
     for G in (np.diag([-1.0, 0]), np.diag([-0.01, 0])):

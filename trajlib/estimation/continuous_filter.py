@@ -143,7 +143,7 @@ class ContinuousFilter:
             )
         S = self.H.T @ solve(self.R, self.H)
         return (
-            _propagated(P, *riccati_flow(self.A, S, self.Q, float(t)))
+            propagate_riccati(P, *riccati_flow(self.A, S, self.Q, float(t)))
             if floats
             else riccati_closed_form(self.A, S, self.Q, P, t)
         )
@@ -287,7 +287,7 @@ def _filter_record(filter, z, times, x, P):
     x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
     for k, step in enumerate(steps):
-        middle = _propagated(P, *halves[step])
+        middle = propagate_riccati(P, *halves[step])
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
         m = gain.shape[1]
@@ -296,7 +296,7 @@ def _filter_record(filter, z, times, x, P):
         )
         x, P = (
             x @ exponential[:n, :n].T + z[..., k, :] @ exponential[:n, n:].T,
-            _propagated(middle, *halves[step]),
+            propagate_riccati(middle, *halves[step]),
         )
         estimates.append(x)
         covariances.append(P)
@@ -323,5 +323,6 @@ def riccati_flow(A, S, Q, t):
     return F, G, noise
 
 
-def _propagated(P, F, G, noise):
+def propagate_riccati(P, F, G, noise):
+    """Return P at the end of a step with the matrices of `riccati_flow`."""
     return symmetric(noise + F @ P @ np.linalg.solve(np.eye(len(P)) + G @ P, F.T))

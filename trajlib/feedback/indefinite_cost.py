@@ -15,12 +15,18 @@ Up to a final time there is a law of least cost if the solution of the Riccati d
 does not escape before (`riccati_or_escape`).
 """
 
+import functools
+
 import numpy as np
 import sympy as sp
 
 from trajlib._arguments.covariances import definiteness
 from trajlib._real_symbols import sign_of_number
-from trajlib.estimation.continuous_filter import riccati_closed_form, riccati_flow
+from trajlib.estimation.continuous_filter import (
+    propagate_riccati,
+    riccati_closed_form,
+    riccati_flow,
+)
 from trajlib.estimation.exact_or_float import identity_like, solve
 from trajlib.estimation.hypotheses import failed_hypothesis
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
@@ -33,8 +39,8 @@ NEGATIVE = 1e-9
 CLOSE = 1e-9
 #: How far beside its terms E + W^1/2 F W^1/2 has to be from singular, for S to have digits left.
 REGULAR = 1e-10
-#: Steps in which the time to go is covered, at most, where no longer ones are known to be regular.
-MOST = 100_000
+#: How often a short step is halved to find an escape, and how many steps may cover the time to go.
+FINEST, MOST = 40, 100_000
 
 
 def solve_indefinite(A, B, G, N, discrete):
@@ -234,64 +240,49 @@ def riccati_or_escape(A, B, G, N, F, time_to_go):
     Over a step without escape from zero S = Q + Phi^T F (E + W F)^-1 Phi, where W >= 0 grows with the
     step. So S does not escape on the step if and only if E + W^1/2 F W^1/2 > 0. From zero there is no
     escape on a step that is short beside the norm of the Hamiltonian matrix, and on the double of a
-    step if there is none from Q on that step: the steps are doubled, and halved where S escapes.
+    step if there is none from Q on that step: the steps are doubled, and halved where S may escape.
 
     Raises LinAlgError if it escapes at the final time, as far as floats tell.
     """
     control = B @ np.linalg.solve(N, B.T)
     size = np.abs(np.block([[A.T, control], [G, A]])).sum(axis=1).max()
-    halvings = max(0, int(np.ceil(np.log2(max(2 * size * time_to_go, 1)))))
-    steps = {0: time_to_go / 2**halvings}
-    flows = {0: riccati_flow(A.T, control, G, steps[0])}
-    top = 0
-    while top < halvings and _is_regular(flows[top][2], flows[top][1]):
+    halvings = FINEST + max(0, int(np.ceil(np.log2(max(2 * size * time_to_go, 1)))))
+    unit, top = time_to_go / 2**halvings, FINEST
+    flow = functools.cache(lambda level: riccati_flow(A.T, control, G, unit * 2**level))
+    while top < halvings and _least_eigenvalue(flow(top)[2], flow(top)[1]) > REGULAR:
         top += 1
-        steps[top] = steps[0] * 2**top
-        flows[top] = riccati_flow(A.T, control, G, steps[top])
-    S, gone, level = F, 0, top
+    S, gone, level, escaped = F, 0, top, 0
     for _ in range(MOST):
         if gone == 2**halvings:
             break
-        if _is_regular(S, flows[level][1]):
-            S, gone = _propagated(S, flows[level]), gone + 2**level
+        least = _least_eigenvalue(S, flow(level)[1])
+        if least > REGULAR:
+            S, gone = propagate_riccati(S, *flow(level)), gone + 2**level
             level += level < top and gone % 2 ** (level + 1) == 0
             continue
+        if least < -REGULAR:  # proved; how far up to the escape is refined
+            escaped = gone + 2**level
         level -= 1
         if level < 0:
-            return None, _escape(A, control, G, S, gone * steps[0], steps[0], time_to_go)
+            if not gone < escaped or gone > (1 - CLOSE) * 2**halvings:
+                raise np.linalg.LinAlgError(_UNDECIDED)
+            return None, gone * unit
     else:
         raise np.linalg.LinAlgError(f"not found: {MOST} steps do not cover the time to go")
-    if not _is_regular(S, riccati_flow(A.T, control, G, CLOSE * time_to_go)[1]):
+    if _least_eigenvalue(S, riccati_flow(A.T, control, G, CLOSE * time_to_go)[1]) <= REGULAR:
         raise np.linalg.LinAlgError(_UNDECIDED)
     return S, None
 
 
 _UNDECIDED = (
-    "not found: the solution of the Riccati equation escapes at the final time, as far as floats tell; "
-    "make the time shorter or longer"
+    "not found: floats do not tell whether the solution of the Riccati equation escapes, or it escapes at "
+    "the final time; make the time shorter or longer, or the weights more alike in size"
 )
 
 
-def _escape(A, control, G, S, gone, step, time_to_go):
-    """Return when S escapes within a step after the time `gone`."""
-    while step > 1e-13 * time_to_go:
-        step /= 2
-        flow = riccati_flow(A.T, control, G, step)
-        if _is_regular(S, flow[1]):
-            S, gone = _propagated(S, flow), gone + step
-    if gone > (1 - CLOSE) * time_to_go:
-        raise np.linalg.LinAlgError(_UNDECIDED)
-    return gone
-
-
-def _is_regular(S, W):
+def _least_eigenvalue(S, W):
+    """Return the least eigenvalue of E + W^1/2 S W^1/2 beside the greatest, or beside one."""
     values, vectors = np.linalg.eigh(W)
     root = vectors * np.sqrt(np.maximum(values, 0))
     values = np.linalg.eigvalsh(np.eye(len(S)) + root.T @ S @ root)
-    return bool(values[0] > REGULAR * max(values[-1], 1))
-
-
-def _propagated(S, flow):
-    F, W, added = flow
-    S = added + F @ S @ np.linalg.solve(np.eye(len(S)) + W @ S, F.T)
-    return (S + S.T) / 2
+    return values[0] / max(values[-1], 1)

@@ -23,10 +23,16 @@ def required_arcs(numeric, shot):
     The description is empty if they are those of the trajectory.
     """
     rows, lengths, touches, description = [], [], [], ""
-    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
+    for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps):
+        # As many steps as the solution takes, so that short arcs are not lost in errors of integration.
+        edges = np.append(0.0, FRACTIONS)
+        parts = int(np.ceil(steps * np.diff(edges).max()))
+        fractions = np.interp(
+            np.arange(1, parts * len(FRACTIONS) + 1) / parts, range(len(edges)), edges
+        )
         points = flow.nodes(
-            np.append(start, 0.0), shot.multiplier, length, len(FRACTIONS), FRACTIONS
-        )[1:, :-1]
+            np.append(start, 0.0), shot.multiplier, length, len(fractions), fractions
+        )[parts::parts, :-1]
         slopes, controls = (
             flow.values(function, points.T, shot.multiplier) for function in ("slopes", "control")
         )

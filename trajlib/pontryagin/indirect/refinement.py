@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from trajlib.pontryagin.direct.transcription import DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.bang_bang import reach_target
 from trajlib.pontryagin.indirect.contacts import jump_guess
 from trajlib.pontryagin.indirect.maximum_condition import required_arcs
 from trajlib.pontryagin.indirect.multipliers import choose_multipliers
@@ -100,10 +101,15 @@ def shoot(numeric, solution, arcs, duration, flow_cache):
     """Solve the equations of these arcs by Newton's method from a discrete solution.
 
     If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
-    may be found from a larger lambda_0; if none is, the abnormal one is searched for.
+    may be found from a larger lambda_0; if none is, the abnormal one is searched for. Where nothing is
+    found, a bang-bang trajectory that ends on the target is tried in place of the discrete one.
     """
     guess = _starting_values(numeric, solution, arcs, flow_cache)
     shot = _solved(numeric, copy(guess), duration, abnormal=False)
+    if not shot.residual <= ACCEPTED:
+        reached = reach_target(numeric, guess, duration)
+        if reached is not None:
+            return _solved(numeric, reached, duration, abnormal=False)
     if not _nearly_abnormal(numeric, shot):
         return shot
     normal = copy(guess)
