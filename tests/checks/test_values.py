@@ -7,7 +7,7 @@ import sympy as sp
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools import values
 from workbook.checks.tools.substitution import real_at
-from workbook.checks.tools.values import number_at
+from workbook.checks.tools.values import no_number_text, number_at
 
 x, y = sp.symbols("x y")
 ANGLE = sp.Symbol("psi", positive=True)
@@ -63,3 +63,16 @@ def test_a_plain_expression_is_not_asked_for_one_after_the_other(monkeypatch):
 def test_the_greatest_of_no_numbers_is_none():
     with pytest.raises(Wrong, match="undefined"):
         number_at(sp.Max(0, sp.acos(x)), {x: 3})
+
+
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        (sp.exp(2000 * x), "too large to be computed with"),
+        (-(sp.Integer(10) ** 400) * x, "too large to be computed with"),
+        (sp.sqrt(-x), "no real number, or not defined"),
+        (1 / (x - 1), "no real number, or not defined"),
+    ],
+)
+def test_a_huge_number_is_a_number(claim, reason):
+    assert no_number_text(claim, {x: sp.Integer(1)}) == reason

@@ -31,7 +31,13 @@ from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
 from workbook.checks.tools.kinks import points_at_kinks
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import uncertainties_at, uncertainty_at, value_at, values_at
+from workbook.checks.tools.values import (
+    no_number_text,
+    uncertainties_at,
+    uncertainty_at,
+    value_at,
+    values_at,
+)
 from workbook.checks.tools.wording import other_text, prefix_text
 
 #: A time smaller than this, relative to the largest one, is zero; the growth of a time from zero is
@@ -176,7 +182,11 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
         agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS, uncertain)
     )
     for k in np.flatnonzero(wrong)[:1]:
-        value_text = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
+        value_text = (
+            f"{claimed[k]:.4g}"
+            if np.isfinite(claimed[k])
+            else no_number_text(claim, values | dict(zip(starts, states[:, k])))
+        )
         raise Wrong(
             f"from the initial state {point_text(states[:, k])} your value is {value_text}; for the best "
             "process found it is "

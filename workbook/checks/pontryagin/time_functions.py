@@ -20,6 +20,7 @@ from workbook.checks.contract.tolerance import (
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.formula_changes import FormulaChanges
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import no_number_text
 
 #: Relative tolerance of an answer without decimals: the accuracy of its integration.
 INTEGRATED = 1e-5
@@ -152,7 +153,10 @@ class Steering:
 
     def __init__(self, arcs, time, parameters, with_variants=True):
         self.time, self.parameters = time, list(parameters or ())
-        self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
+        self._expressions = [value for value, _ in arcs]
+        self._values = [
+            real_function([time, *self.parameters], [value]) for value in self._expressions
+        ]
         self._ends = [
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
@@ -215,7 +219,7 @@ class Steering:
         """
         numbers = [float(values[p]) for p in self.parameters]
 
-        def smooth(value):
+        def smooth(value, expression):
             def u(times):
                 claimed = at_instants(value, times, *numbers)[0]
                 # A control may be undefined at single instants, as between the cases t < 1 and t > 1.
@@ -226,22 +230,23 @@ class Steering:
                             value, times[undefined] + offset, *numbers
                         )[0]
                 for t in times[np.isnan(claimed)]:
-                    raise Wrong(
-                        f"your control at {self.time} = {t:.4g} is no real number, or not defined"
-                    )
+                    reason = no_number_text(expression, {self.time: t, **values})
+                    raise Wrong(f"your control at {self.time} = {t:.4g} is {reason}")
                 return claimed
 
             return u
 
         if self._ends == [None]:
-            u = smooth(self._values[0])
+            u = smooth(self._values[0], self._expressions[0])
             breaks = jumps(u, duration)
             # The value at a jump itself does not matter, so it is taken a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
         ends = self.ends(values)
         return [
-            (begin, min(end, duration), smooth(value))
-            for begin, end, value in zip([0.0, *ends], ends, self._values)
+            (begin, min(end, duration), smooth(value, expression))
+            for begin, end, value, expression in zip(
+                [0.0, *ends], ends, self._values, self._expressions
+            )
             if begin < duration
         ]
 

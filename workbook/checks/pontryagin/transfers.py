@@ -23,7 +23,7 @@ from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Tr
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.substitution import real_at
-from workbook.checks.tools.values import uncertainty_at
+from workbook.checks.tools.values import no_number_text, uncertainty_at
 from workbook.checks.tools.wording import values_text
 
 
@@ -47,7 +47,7 @@ def meeting_time(claim, problem, count):
                     "does not give the initial time"
                 )
             message = (
-                "no real number"
+                no_number_text(claim, {count: number})
                 if claimed is None
                 else f"{claimed:.4g}; {best.duration_message(claimed)}"
             )
@@ -185,7 +185,7 @@ def switching_count(answer, problem, parameters=()):
         claimed = real_at(claim, values)
         count = best.switchings()
         if claimed is None or not abs(claimed - count) <= 1e-9:
-            message = "no real number" if claimed is None else f"{claimed:.4g}"
+            message = no_number_text(claim, values) if claimed is None else f"{claimed:.4g}"
             raise Wrong(
                 f"for {values_text(values)} your expression gives {message}; this is not how "
                 "often the fastest control switches"
@@ -249,7 +249,8 @@ def isochrone_radius(claim, problem, duration, count):
             claim,
             uncertain=uncertainty_at(claim, {count: number}),
         ):
-            message = "is no real number" if claimed is None else f"is {claimed:.4g}"
+            reason = no_number_text(claim, {count: number})
+            message = f"is {reason}" if claimed is None else f"is {claimed:.4g}"
             raise Wrong(
                 f"for {count} = {number} your radius {message}; the farthest initial states from which the "
                 "origin can be reached in that time lie "

@@ -138,6 +138,14 @@ def values_at(claim, points, quantity):
     ]
 
 
+def no_number_text(claim, values):
+    """Return why an expression has no usable value: it is too large, or no real number."""
+    number = evaluated(claim, values)
+    if number.is_number and number.is_extended_real and abs(number) > LARGEST:
+        return "too large to be computed with"
+    return "no real number, or not defined"
+
+
 def uncertainty_at(claim, values):
     """Return by how much the decimals of an expression change its value; nan if not known."""
     variants = (
