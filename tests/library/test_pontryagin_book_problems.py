@@ -561,7 +561,7 @@ BOOK_PROBLEMS = {
     "5.27 a": book_problem(
         Problem({x: u}, FREE, {x: 1}, running=u**2 + x**2, final=-(x**2), duration=1),
         -1.0,
-        LOCAL,
+        PROVED,
         "int (x' - x)^2 - 1",
     ),
     "5.27 b, minus": book_problem(
@@ -599,7 +599,7 @@ BOOK_PROBLEMS = {
     "5.28 b": book_problem(
         Problem(PLANE, FREE, {x1: 0, x2: 1}, [x2 - 1], running=u**2 - x1**2, duration=sp.pi / 2),
         pulled_strip(),
-        LOCAL,
+        PROVED,
         "x'''' = x",
     ),
     "5.28 c": book_problem(

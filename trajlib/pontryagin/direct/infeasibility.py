@@ -117,7 +117,6 @@ def _refuse_unmoved(numeric):
         return
     if numeric.duration is None:
         refuse_uncontrollable_modes(numeric, problem)
-        refuse_missed_target(numeric, problem)
     A, _B, c = plant
     state, n = sp.Matrix(problem.state), numeric.n
     G = sp.Matrix(problem.terminal).jacobian(problem.state)
@@ -147,6 +146,8 @@ def _refuse_unmoved(numeric):
                 "pair (A, B) of the plant is not controllable; choose an end that keeps to this "
                 "combination."
             )
+    if duration is None:
+        refuse_missed_target(numeric, problem)
 
 
 def _exact_powers(problem):

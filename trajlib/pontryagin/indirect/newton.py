@@ -11,6 +11,8 @@ RANK = 1e-8
 # Newton's method stops where the residual has not fallen to this share of itself within so many
 # steps.
 STAGNATION, PATIENCE = 0.9, 10
+# Shortest share of a step that is tried with the test of corrections.
+SHORTEST_NATURAL = 1 / 32
 
 
 def newton(equations, z, iterations=80):
@@ -42,6 +44,8 @@ def newton(equations, z, iterations=80):
                     key=lambda trial: np.linalg.norm(trial[1]),
                     default=None,
                 )
+            if better is None or np.linalg.norm(better[1]) > STAGNATION * sizes[-1]:
+                better = _shortened_by_correction(equations, z, J, step) or better
         if better is None:
             break
         z, r, J = better
@@ -58,11 +62,7 @@ def newton(equations, z, iterations=80):
 def _shortened(equations, z, r, step, shortest):
     """Return (z, r, J) after a step that lowers the residual, halved as needed, or None."""
     size = np.linalg.norm(r)
-    lengths, change = z[equations.lengths], step[equations.lengths]
-    shrinking = change < 0
-    # An arc loses at most nine tenths of its length in one step.
-    with np.errstate(over="ignore"):
-        alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
+    alpha = _longest(equations, z, step)
     while alpha > shortest:
         trial = z + alpha * step
         r_trial, J_trial = equations.residual(trial)
@@ -72,6 +72,33 @@ def _shortened(equations, z, r, step, shortest):
         # Near rounding error only a full step can still help.
         if _rounded(z, size):
             break
+        alpha /= 2
+    return None
+
+
+def _longest(equations, z, step):
+    """Return the share of a step, at most 1, by which no arc loses more than 9/10 of its length."""
+    lengths, change = z[equations.lengths], step[equations.lengths]
+    shrinking = change < 0
+    with np.errstate(over="ignore"):
+        return min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
+
+
+def _shortened_by_correction(equations, z, J, step):
+    """Return (z, r, J) after a step that shortens the next step with the same Jacobian, or None.
+
+    Along a curved valley (a process that may nearly begin at any time) the residuals rise at first
+    although the solution gets nearer: Deuflhard's natural monotonicity test, which does not depend on
+    the units of the equations.
+    """
+    size, alpha = np.linalg.norm(step), _longest(equations, z, step)
+    while alpha > SHORTEST_NATURAL:
+        trial = z + alpha * step
+        r_trial, J_trial = equations.residual(trial)
+        if np.isfinite(r_trial).all():
+            correction = _least_squares(J, r_trial, 1e-13)
+            if np.linalg.norm(correction) < (1 - alpha / 2) * size:
+                return trial, r_trial, J_trial
         alpha /= 2
     return None
 
