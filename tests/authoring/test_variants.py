@@ -231,6 +231,14 @@ def _names(tree, context):
     return {node.id for node in nodes if isinstance(node.ctx, context)}
 
 
+def test_the_guide_for_lecturers_lists_the_problems_that_vary():
+    text = (ROOT / "book" / "guides" / "lecturer.md").read_text(encoding="utf-8")
+    section = text.partition("In these problems the numbers can differ:")[2].partition("Each has")[
+        0
+    ]
+    assert sorted(re.findall(r"\b\d\.\d+", section)) == sorted(VARYING)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("number", VARYING)
 def test_three_rows_are_proved(number, folder):
