@@ -1,88 +1,200 @@
 # %% wrong
 a_observable = True  # Is it enough that z and its derivative contain all states? (hint 1)
-a_unseen = [[1, 0, -1]]  # Is this a row of what is seen instead of an unobservable state? (hint 1)
+# Is this a row of what is seen instead of an unobservable state? (hint 1)
+a_unseen = [list(a_output)]
 # Are these the states with zero output at a single instant only? (hint 1)
-a_unseen = [[1, 0, 0], [0, 0, 1]]
-a_split = sp.Matrix([[0, 1, 0], [1, 0, -1], [-1, 0, 1]])  # Has this matrix an inverse? (hint 1)
+a_unseen = [list(v) for v in a_output.nullspace()]
+# Has this matrix an inverse? (hint 1)
+a_split = sp.Matrix.vstack(*(a_output * a_system**k for k in range(3)))
 # Which coordinates have to stand first? (hint 1)
-a_split = sp.Matrix([[0, 0, 1], [0, 1, 0], [1, 0, -1]])
+a_split = sp.Matrix(a_split)[::-1, :]
 b_observable = True  # Is it enough that the other states act on the measured one? (hint 1)
-b_unseen = [[0, 1, 0]]  # Is this the measured coordinate? (hint 1)
-b_unseen = [[1, 0, 1]]  # Was a sign lost? Put the state into z and its derivative. (hint 2)
-# Does the integral of z belong to the observable part, or its derivative? (hint 1)
-b_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [1, 1, 1]])
+# Is this the measured coordinate? (hint 1)
+b_unseen = [list(b_output)]
+# Was a sign lost? Put the state into z and its derivative. (hint 2)
+b_unseen = [list(sp.Matrix(b_unseen[0]).cross(b_output.T))]
+# Does a coordinate outside the observable part stand in its place? (hint 1)
+b_split = sp.Matrix(b_split)[[0, 2, 1], :]
 c_observable = True  # Does it follow from a regular matrix that all is seen? (hint 1)
 # Are these the states with zero output at a single instant only? (hint 1)
-c_unseen = [[1, 0, -1], [0, 1, 0]]
+c_unseen = [list(v) for v in c_output.nullspace()]
 # Were the new coordinates written into the columns? (hint 2)
-c_split = sp.Matrix([[1, 1, 1], [0, 1, 0], [1, 0, 0]])
+c_split = sp.Matrix(c_split).T
 d_observable = True  # Can three rows hang on each other although no two do? (hint 2)
 # Is nothing hidden as soon as all states occur? Look for a combination that never does. (hint 1)
 d_unseen = []
-# Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
-d_split = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, -1]])
+# Do the two observable coordinates stand first? (hint 1)
+d_split = sp.Matrix(d_split)[[0, 2, 1], :]
 # Was the last row computed with a slip? Test it with an unobservable state. (hint 1)
 e_observable = True
-e_unseen = [[1, 1, 1]]  # Were the signs lost? Put the state into z and its derivative. (hint 1)
+# Were the signs lost? Put the state into z and its derivative. (hint 1)
+e_unseen = [list(sp.Matrix(e_unseen[0]).cross(e_output.T))]
 # Are the other two coordinates fit to stand beside z as they are? (hint 1)
-e_split = sp.Matrix([[1, 0, 1], [0, 1, 0], [0, 0, 1]])
-# Is it observable if the state becomes known only in the long run? (hint 1)
-f_observable = True
-f_unseen = [[1, 0, -1], [0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
-f_unseen = [[0, 1, 0]]  # Is this what the second observable coordinate measures? (hint 1)
-f_split = sp.eye(3)  # Can the variables be left as they are? (hint 1)
+e_split = sp.Matrix.vstack(e_output, sp.Matrix([e_unseen[0]]), e_output * e_system)
+f_observable = True  # Is it observable if the state becomes known only in the long run? (hint 1)
+# Can the zero vector belong to a basis? (hint 1)
+f_unseen = [f_unseen[0], [0, 0, 0]]
+# Is this what the second observable coordinate measures? (hint 1)
+f_unseen = [list(f_output * f_system)]
+# Has this matrix an inverse? (hint 1)
+f_split = sp.Matrix.vstack(*(f_output * f_system**k for k in range(3)))
 g_observable = True  # Do complex eigenvalues make everything visible? (hint 1)
-g_unseen = [[1, 0, -1]]  # Is this the measured direction? (hint 1)
+# Is this the measured direction? (hint 1)
+g_unseen = [list(g_output)]
 # Does the hidden coordinate stand last? (hint 2)
-g_split = sp.Matrix([[1, 0, -1], [0, 0, 1], [0, 1, 0]])
+g_split = sp.Matrix(g_split)[[0, 2, 1], :]
 h_observable = True  # Are different eigenvalues enough for one output? (hint 1)
-h_unseen = [[1, -1, 0]]  # Is this the eigenvector that is seen? (hint 1)
+# Is this the eigenvector that is seen? (hint 1)
+h_unseen = [list(sp.Matrix(h_unseen[0]).cross(h_output.T))]
 # Were the eigenvectors written into the rows? (hint 1)
-h_split = sp.Matrix([[1, -1, 0], [1, 0, 1], [1, 1, 0]])
+h_split = sp.Matrix(h_split)[::-1, :]
 
 # %% right
-a_unseen = [(-2, 0, -2)]  # another length and sign
-a_unseen = sp.Matrix([1, 0, 1])  # a column
-a_split = [[0, 1, 0], [1, 0, -1], [1, 0, 0]]  # x1 for the hidden coordinate, nested lists
-# the observable coordinates mixed and halved
-a_split = sp.Matrix([[1, 1, -1], [sp.Rational(1, 2), 0, -sp.Rational(1, 2)], [1, 1, 1]])
-b_unseen = [sp.Matrix([-1, 0, 1])]  # a list of columns
-b_unseen = [[0.5, 0.0, -0.5]]  # floats
-# the third coordinate orthogonal to the others, as in example 3
-b_split = sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, -1]])
-# the sum of x1 and x3 in the place of the derivative
-b_split = [[0, 1, 0], [1, 0, 1], [0, 0, 7]]
-c_unseen = [1, -1, -1]  # a single vector without the outer list
-c_unseen = ((-3, 3, 3),)  # another length, as a tuple
+a_unseen = [[-2 * v for v in a_unseen[0]]]  # another length and sign
+a_unseen = [[v / 3 for v in a_unseen[0]]]  # another length
+# the observable coordinates mixed
+a_split = sp.Matrix([[1, 1, 0], [1, -1, 0], [0, 1, 1]]) * sp.Matrix(a_split)
+b_unseen = sp.Matrix(b_unseen[0])  # a column
+b_unseen = [sp.Matrix(b_unseen[0]) * sp.sqrt(2)]  # a list of columns
+# another third coordinate
+b_split = sp.Matrix([[1, 0, 0], [0, 1, 0], [2, -1, 7]]) * sp.Matrix(b_split)
+c_unseen = (c_unseen[0],)  # a tuple
+c_unseen = [[float(v) for v in c_unseen[0]]]  # floats
+# the observable coordinates exchanged
+c_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]]) * sp.Matrix(c_split)
 # without coupling: a left eigenvector for the hidden coordinate
-c_split = sp.Matrix([[1, 0, 1], [1, 1, 0], [3, 2, 0]])
-# the seen part in its own eigenvectors
-c_split = sp.Matrix(
-    [[1 + sp.sqrt(5), 2, sp.sqrt(5) - 1], [1 - sp.sqrt(5), 2, -sp.sqrt(5) - 1], [0, 1, 0]]
-)
-d_unseen = [[-1, 1, 1]]  # the other sign
-d_unseen = sp.Matrix([[2], [-2], [-2]])  # a matrix with one column
+v = sp.Matrix(c_unseen[0])
+value = (v.T * c_system * v)[0] / (v.T * v)[0]
+w = (c_system - value * sp.eye(3)).T.nullspace()[0].T
+c_split = sp.Matrix.vstack(c_output, c_output * c_system, w).tolist()
+d_unseen = [[v / 3 for v in d_unseen[0]]]  # another length
+d_unseen = d_unseen[0]  # a single vector without the outer list
+# halves
+d_split = sp.Matrix([[sp.S.Half, 0, 0], [1, 1, 0], [0, 0, 1]]) * sp.Matrix(d_split)
 # without coupling: a left eigenvector for the hidden coordinate
-d_split = [[1, 0, 1], [1, 1, 0], [3, 1, -1]]
-# differences of the observable coordinates
-d_split = sp.Matrix([[0, 1, -1], [1, 1, 0], [0, 0, 1]])
-e_unseen = [[sp.Rational(1, 3), -sp.Rational(1, 3), -sp.Rational(1, 3)]]  # fractions
-e_unseen = [(5, -5, -5)]  # a tuple
+v = sp.Matrix(d_unseen[0])
+value = (v.T * d_system * v)[0] / (v.T * v)[0]
+w = (d_system - value * sp.eye(3)).T.nullspace()[0].T
+d_split = sp.Matrix.vstack(d_output, d_output * d_system, w).tolist()
+e_unseen = [sp.Matrix(e_unseen[0]) * sp.sqrt(2)]  # a list of columns
+e_unseen = [[-v for v in e_unseen[0]]]  # the other sign
+# the observable coordinates mixed
+e_split = sp.Matrix([[1, 1, 0], [1, -1, 0], [0, 1, 1]]) * sp.Matrix(e_split)
 # without coupling: a left eigenvector for the hidden coordinate
-e_split = sp.Matrix([[1, 0, 1], [1, 1, 0], [4, 1, 5]])
-# the third coordinate orthogonal to the others, floats
-e_split = [[1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [1.0, -1.0, -1.0]]
-f_unseen = [[-1, 0, 1]]  # the other sign
-f_unseen = sp.Matrix([1, 0, -1]) * sp.sqrt(2)  # a column
-f_split = sp.Matrix([[1, 0, 1], [0, -1, 0], [0, 0, 1]])  # the derivative of z itself, and x3
+v = sp.Matrix(e_unseen[0])
+value = (v.T * e_system * v)[0] / (v.T * v)[0]
+w = (e_system - value * sp.eye(3)).T.nullspace()[0].T
+e_split = sp.Matrix.vstack(e_output, e_output * e_system, w).tolist()
+f_unseen = [[float(v) for v in f_unseen[0]]]  # floats
+f_unseen = [[-2 * v for v in f_unseen[0]]]  # another length and sign
+# another third coordinate
+f_split = sp.Matrix([[1, 0, 0], [0, 1, 0], [2, -1, 7]]) * sp.Matrix(f_split)
 # without coupling: a left eigenvector for the hidden coordinate
-f_split = [[1, 0, 1], [0, 1, 0], [1, 1, -2]]
-g_unseen = [[7, 0, 7]]  # another length
-g_split = sp.Matrix([[1, 0, -1], [0, 1, 0], [0, 0, 1]])  # x3 for the hidden coordinate
-g_split = [[0, 1, 0], [1, 0, -1], [1, 0, 0]]  # the observable coordinates exchanged
-h_unseen = [[-1, -1, 0]]  # the other sign
-h_unseen = [[0.25, 0.25, 0.0]]  # floats
-# the derivative of z, and the sum of x1 and x2
-h_split = sp.Matrix([[-1, 1, -1], [1, -1, 3], [1, 1, 0]])
+v = sp.Matrix(f_unseen[0])
+value = (v.T * f_system * v)[0] / (v.T * v)[0]
+w = (f_system - value * sp.eye(3)).T.nullspace()[0].T
+f_split = sp.Matrix.vstack(f_output, f_output * f_system, w).tolist()
+g_unseen = g_unseen[0]  # a single vector without the outer list
+g_unseen = sp.Matrix(g_unseen[0])  # a column
+# the observable coordinates exchanged
+g_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]]) * sp.Matrix(g_split)
 # without coupling: a left eigenvector for the hidden coordinate
-h_split = [[1, -1, 0], [0, 0, 3], [1, 1, -1]]
+v = sp.Matrix(g_unseen[0])
+value = (v.T * g_system * v)[0] / (v.T * v)[0]
+w = (g_system - value * sp.eye(3)).T.nullspace()[0].T
+g_split = sp.Matrix.vstack(g_output, g_output * g_system, w).tolist()
+h_unseen = [[-v for v in h_unseen[0]]]  # the other sign
+h_unseen = (h_unseen[0],)  # a tuple
+# halves
+h_split = sp.Matrix([[sp.S.Half, 0, 0], [1, 1, 0], [0, 0, 1]]) * sp.Matrix(h_split)
+# without coupling: a left eigenvector for the hidden coordinate
+v = sp.Matrix(h_unseen[0])
+value = (v.T * h_system * v)[0] / (v.T * v)[0]
+w = (h_system - value * sp.eye(3)).T.nullspace()[0].T
+h_split = sp.Matrix.vstack(h_output, h_output * h_system, w).tolist()
+
+
+# %% numbers
+from workbook.authoring.numbers import linear_form, signed_permutations
+
+systems = [
+    (a_system, a_output),
+    (b_system, b_output),
+    (c_system, c_output),
+    (d_system, d_output),
+    (e_system, e_output),
+    (f_system, f_output),
+    (g_system, g_output),
+    (h_system, h_output),
+]
+turns = signed_permutations(3)
+
+
+def turned(start, step):
+    """The systems with their coordinates permuted and mirrored."""
+    chosen = [turns[(start + step * k) % 48] for k in range(8)]
+    pairs = [(T * A * T.T, H * T.T) for T, (A, H) in zip(chosen, systems)]
+    return [A for A, _ in pairs] + [H for _, H in pairs]
+
+
+(
+    a_system,
+    b_system,
+    c_system,
+    d_system,
+    e_system,
+    f_system,
+    g_system,
+    h_system,
+    a_output,
+    b_output,
+    c_output,
+    d_output,
+    e_output,
+    f_output,
+    g_output,
+    h_output,
+) = [
+    turned(*parts)
+    for parts in [
+        (0, 0),
+        (1, 5),
+        (8, 30),
+        (10, 12),
+        (14, 13),
+        (16, 19),
+        (17, 1),
+        (19, 15),
+        (21, 31),
+        (23, 7),
+        (25, 9),
+        (31, 10),
+        (35, 25),
+        (38, 19),
+    ]
+]
+x = ["x_1", "x_2", "x_3"]
+shown = [
+    f"{item}) $\\quad\\dot x_1 = «linear_form({item}_system.row(0), x)»,$ "
+    f"$\\quad \\dot x_2 = «linear_form({item}_system.row(1), x)»,$ "
+    f"$\\quad \\dot x_3 = «linear_form({item}_system.row(2), x)»,$ "
+    f"$\\quad z = «linear_form({item}_output, x)»"
+    for item in "abcdefgh"
+]
+
+
+def answers(A, H):
+    """The unobservable state, and the coordinates z, its derivative and one more."""
+    rows = sp.Matrix.vstack(H, H * A)
+    v = rows.nullspace()[0]
+    return [list(v)], sp.Matrix.vstack(rows, v.T)
+
+
+a_unseen, a_split = answers(a_system, a_output)
+b_unseen, b_split = answers(b_system, b_output)
+c_unseen, c_split = answers(c_system, c_output)
+d_unseen, d_split = answers(d_system, d_output)
+e_unseen, e_split = answers(e_system, e_output)
+f_unseen, f_split = answers(f_system, f_output)
+g_unseen, g_split = answers(g_system, g_output)
+h_unseen, h_split = answers(h_system, h_output)

@@ -163,7 +163,7 @@ l_uncontrolled = [[-3 * p for p in l_uncontrolled[0]]]
 l_split = sp.Matrix(l_split) * sp.Matrix([[1, 0, -1], [1, 2, 0], [0, 0, 1]])
 
 # %% numbers
-from itertools import permutations, product
+from workbook.authoring.numbers import signed_permutations
 
 systems = [
     (A_a, b_a),
@@ -179,11 +179,7 @@ systems = [
     (A_k, b_k),
     (A_l, b_l),
 ]
-turns = [
-    sp.diag(*signs) * sp.Matrix(3, 3, lambda i, k: int(order[i] == k))
-    for order in permutations(range(3))
-    for signs in product((1, -1), repeat=3)
-]
+turns = signed_permutations(3)
 
 
 def turned(start, step):

@@ -16,6 +16,7 @@ before it.
 import ast
 import re
 from dataclasses import dataclass
+from itertools import permutations, product
 
 import sympy as sp
 
@@ -158,6 +159,15 @@ def linear_form(coefficients, names):
         terms += [(sign, ("" if size == "1" else size + space) + name)] if text != "0" else []
     first, *others = terms
     return " ".join([first[0].replace("+", "") + first[1], *(f"{s} {term}" for s, term in others)])
+
+
+def signed_permutations(size):
+    """Return the matrices with one 1 or -1 in each row and column: changes of coordinates."""
+    return [
+        sp.diag(*signs) * sp.Matrix(size, size, lambda i, k: int(order[i] == k))
+        for order in permutations(range(size))
+        for signs in product((1, -1), repeat=size)
+    ]
 
 
 def _targets(statement):

@@ -79,6 +79,7 @@ class Variants:
 
     def __init__(self, master):
         self.master, self.numbers = master, read_numbers(master)
+        self._names = {}
         self._site_phrases = phrases(self.numbers, self.names(0))
         page = _shown_text(master)
         if missing := [text for text in self._site_phrases if text not in page]:
@@ -92,9 +93,19 @@ class Variants:
 
     def names(self, row):
         """Return the names after the data cells and the section with the numbers of a row."""
-        names = run_cells(self.data(row))
-        exec(self.numbers.source, names)
-        return names
+        return dict(self._cached_names(row)[1])
+
+    def data_names(self, row):
+        """Return the names after the data cells alone."""
+        return dict(self._cached_names(row)[0])
+
+    def _cached_names(self, row):
+        if row not in self._names:  # a data cell may take long
+            data = run_cells(self.data(row))
+            names = dict(data)
+            exec(self.numbers.source, names)
+            self._names[row] = data, names
+        return self._names[row]
 
     def variant(self, row):
         """Return the master with the numbers of a row; row 0 is the master itself.
@@ -246,7 +257,7 @@ def _prove_row(variants, row, site):
     except NumbersError as error:
         return Proof(name, (str(error),), 1.0, 1.0), {}
     reference = variants.reference(row, site)
-    data = run_cells(master.code("data"))
+    data = variants.data_names(row)
     judged = _Judged(master, data)
     faults = [
         f"{answer}: the right answer is {status}"
