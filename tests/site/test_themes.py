@@ -14,6 +14,8 @@ PAGES = [
     "solutions/ch1/p15.html",
 ]
 WIDTHS = [390, 768, 1400]
+#: What is printed is as wide as its paper: the text of A5, of A4, and of a large sheet.
+PAPERS = dict(zip(WIDTHS, [480, 718, 1400], strict=True))
 #: Faults of the page as it is shown: too wide, cut off, text whose contrast to its ground is below 4.5, and
 #: grounds behind pictures. On paper nothing scrolls, and no text stands before the page's title.
 FAULTS = """(paper => {
@@ -83,9 +85,10 @@ def test_every_theme_medium_and_width(browser, addresses, show, page):
     browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
     faults = {}
     for width in WIDTHS:
-        browser.resize(width, 900, phone=width == WIDTHS[0])
-        for theme in ("light", "dark"):
-            for medium in ("screen", "print"):
+        for medium in ("screen", "print"):
+            narrow = width == WIDTHS[0] and medium == "screen"
+            browser.resize(width if medium == "screen" else PAPERS[width], 900, phone=narrow)
+            for theme in ("light", "dark"):
                 show(theme, medium)
                 faults[width, theme, medium] = browser.run(
                     f"{FAULTS}({str(medium == 'print').lower()})"
