@@ -1,29 +1,85 @@
 # %% wrong
 # Does an output show everything because it contains both x and its rate? (hint 1)
 printed_obstacle = {}
-printed_obstacle = {-1: [1, -1, 1]}  # Does this motion decay, and is it really hidden? (hint 1)
-printed_obstacle = {3: [1, 3, 9]}  # Is the fastest motion the one that is not seen? (hint 1)
-margins = mu < 1  # Is a margin reached where a root lies just on its border? (hint 1)
+# Does this motion decay, and is it really hidden? (hint 1)
+printed_obstacle = {-margin: [1, -margin, margin**2]}
+# Is the fastest motion the one that is not seen? (hint 1)
+fast = max(A.eigenvals())
+printed_obstacle = {fast: [1, fast, fast**2]}
+margins = mu < margin  # Is a margin reached where a root lies just on its border? (hint 1)
 margins = sp.true  # Is a hidden mode no hindrance because it decays? (hint 1)
 margins = sp.false  # Has a system no observer as soon as something is not seen? (hint 1)
 gain = sp.Matrix([0, 0, 0])  # Do the errors decay if the system is left to itself? (hint 1)
 # Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 1)
-gain = sp.Matrix([0, -3, -8])
+gain = -gain
 # Were the corrections of the new coordinate taken for those of x? (hint 1)
-gain = sp.Matrix([3, 11, 0])
+gain = sp.Matrix([gain[1], gain[2] + margin * gain[1], 0])
 # Is it impossible because the system is not observable? How fast does the hidden motion decay?
 # (hint 1)
 gain = []
-gain = sp.Matrix([0, sp.Rational(5, 2), 6])  # Do all roots lie far enough to the left? (hint 1)
-# Was the factor of the measurement forgotten? (hint 1)
-family = sp.Matrix([0, beta1 + 2, beta1 + beta2])
+# Do all roots lie far enough to the left? (hint 1)
+gain = family.subs({beta1: 1, beta2: 0})
+family = weights[1] * family  # Was the factor of the measurement forgotten? (hint 1)
 family = []  # Is a polynomial with the right factor impossible? (hint 1)
 
 # %% right
-printed_obstacle = {1.0: sp.Matrix([-2, -2, -2])}  # another multiple, decimals
-margins = sp.Not(mu > 1)  # the complement
-gain = sp.Matrix([2, 1, 10])  # with q = 2
-gain = [0, 4, 14]  # other roots of y, a flat list
-gain = sp.Matrix([-8, 11, 0])  # no correction of the last equation
+# another multiple, decimals
+(growing,) = printed_obstacle
+printed_obstacle = {float(growing): -2 * sp.Matrix([1, growing, growing**2])}
+margins = sp.Not(mu > margin)  # the complement
+gain = gain + 2 * sp.Matrix([1, -margin, margin**2])  # another correction of the first equation
+# other roots of y, a flat list
+gain = list(family.subs({beta1: 4 * margin, beta2: 7 * margin**2}))
+# no correction of the last equation
+gain = gain - gain[2] * sp.Matrix([1, -margin, margin**2]) / margin**2
 # no correction of the second equation
-family = sp.Matrix([beta1 / 2 + 2, 0, 2 * beta1 + beta2 / 2 + sp.Rational(13, 2)])
+family = family + family[1] * sp.Matrix([1, -margin, margin**2]) / margin
+
+
+# %% numbers
+def row(growing, fast, margin, factor):
+    """The equation with two growing roots, of which the printed z does not show the first."""
+    polynomial = sp.Poly((lam - growing) * (lam - fast) * (lam + margin), lam)
+    coefficients = [int(c) for c in polynomial.all_coeffs()[:0:-1]]
+    return coefficients, [-factor * growing, factor], [factor * margin, factor], margin
+
+
+coefficients, printed, weights, margin = [
+    row(*parts)
+    for parts in [
+        (1, 3, 1, 2),
+        (2, 3, 1, 3),
+        (1, 2, 2, 2),
+        (1, 4, 3, 2),
+        (2, 4, 1, 3),
+        (3, 4, 2, 2),
+        (1, 5, 2, 3),
+        (2, 5, 3, 2),
+        (3, 5, 1, 2),
+        (1, 6, 3, 2),
+        (4, 5, 2, 2),
+        (2, 3, 3, 2),
+        (3, 4, 3, 3),
+        (1, 4, 2, 4),
+        (2, 6, 2, 3),
+    ]
+]
+shown = [
+    r"\dddot x «+coefficients[2]*»\ddot x «+coefficients[1]*»\dot x «+coefficients[0]*»x = 0 .",
+    "stability margin «'one two three'.split()[margin - 1]»",
+    r"$\lambda_0 = «margin»$",
+    r"$z = «printed[1]*»\dot x «+printed[0]*»x$",
+    r"$z = «weights[1]*»\dot x «+weights[0]*»x$",
+    r"the margin «margin»;",
+    r"(\lambda + «margin»)(\lambda^2 + \beta_1\lambda + \beta_2)",
+    r"(\lambda + «margin»)(\lambda^2 + \beta_1 \lambda + \beta_2)",
+    r"$y = \dot x + «margin*»x$",
+    "$z = «weights[1]*»y$",
+]
+growing = -sp.Rational(printed[0], printed[1])
+printed_obstacle = {growing: [1, growing, growing**2]}
+margins = mu <= margin
+l2, l3 = sp.symbols("l2 l3")
+of_errors = (A - sp.Matrix([0, l2, l3]) * H).charpoly(lam).as_expr(lam)
+family = sp.Matrix([0, l2, l3]).subs(sp.solve(sp.Poly(of_errors - wanted, lam).coeffs(), [l2, l3]))
+gain = family.subs({beta1: 2 * margin, beta2: margin**2})

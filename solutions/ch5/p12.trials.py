@@ -2,37 +2,82 @@
 # Does the point turn clockwise or counter-clockwise? (hint 1)
 angular_rate = u * sp.cos(theta) ** 2 + sp.sin(theta) ** 2
 angular_rate = -u  # Is the control the whole rate of the angle? (hint 1)
-time = sp.pi / 2  # Is this a half-turn? The motion starts in the middle. (hint 1)
-time = sp.pi / 8  # Is the frequency the stiffness itself, or its root? (hint 2)
-control = 1  # Is the softest spring the fastest? (hint 1)
+time = 2 * time  # Is this a half-turn? The motion starts in the middle. (hint 1)
+# Is the frequency the stiffness itself, or its root? (hint 2)
+time = sp.pi / (2 * stiffest)
+control = softest  # Is the softest spring the fastest? (hint 1)
 # Does the switching function change its sign on the way? (hint 1)
-control = sp.Piecewise((1, t < sp.pi / 8), (4, True))
-control = -4  # Does the bound allow this value?
-trajectory = sp.sin(2 * t)  # Which velocity has this motion at the start? (hint 1)
-trajectory = sp.sin(t)  # Is this the motion with the softest spring? (hint 1)
-trajectory = sp.cos(2 * t)  # Is this the start of problem 5.11? (hint 1)
+control = sp.Piecewise((softest, t < time / 2), (stiffest, True))
+control = -stiffest  # Does the bound allow this value?
+# Which velocity has this motion at the start? (hint 1)
+trajectory = push * sp.sin(sp.sqrt(stiffest) * t)
+# Is this the motion with the softest spring? (hint 1)
+trajectory = push * sp.sin(sp.sqrt(softest) * t) / sp.sqrt(softest)
+# Is this the start of problem 5.11? (hint 1)
+trajectory = push * sp.cos(sp.sqrt(stiffest) * t)
 # Are these the costates of problem 5.11? (hint 1)
-costate = [
-    -sp.sin(2 * t) / 2,
-    -sp.cos(2 * t) / 4,
-]
-costate = [-sp.cos(2 * t), sp.sin(2 * t) / 2]  # Is $\lambda_0$ positive with this sign? (hint 1)
+omega = sp.sqrt(stiffest)
+costate = [-sp.sin(omega * t) / omega, -sp.cos(omega * t) / stiffest]
+costate = [-costate[0], -costate[1]]  # Is $\lambda_0$ positive with this sign? (hint 1)
 # Which sign stands between psi1 and the rate of psi2? (hint 1)
-costate = [-sp.cos(2 * t), -sp.sin(2 * t) / 2]
-switching = sp.cos(2 * t) ** 2 / 4  # Is this the function of problem 5.11? (hint 1)
-switching = -(sp.sin(2 * t) ** 2) / 4  # Did the function get the wrong sign? (hint 1)
-switching = sp.sin(2 * t) ** 2  # Does H vanish with these costates? They have to be normalised.
-latest = sp.pi / 4  # Is this the least time instead of the greatest? (hint 1)
-latest = sp.pi  # Is this a half-turn? The motion starts in the middle.
+costate = [-costate[0], costate[1]]
+# Is this the function of problem 5.11? (hint 1)
+switching = sp.cos(sp.sqrt(stiffest) * t) ** 2 / stiffest
+switching = -switching  # Did the function get the wrong sign? (hint 1)
+# Does H vanish with these costates? They have to be normalised.
+switching = sp.sin(sp.sqrt(stiffest) * t) ** 2
+latest = time  # Is this the least time instead of the greatest? (hint 1)
+latest = 2 * latest  # Is this a half-turn? The motion starts in the middle.
 
 # %% right
 angular_rate = -(u + 1) / 2 - (u - 1) / 2 * sp.cos(2 * theta)  # doubled angle
-time = 0.785  # three digits
-control = [[4, sp.pi / 4]]  # a list of one arc
-trajectory = sp.sin(t) * sp.cos(t)  # a product
-trajectory = sp.Matrix([sp.sin(2 * t) / 2, sp.cos(2 * t)])  # both states, a column
-costate = [1 - 2 * sp.sin(t) ** 2, -sp.sin(t) * sp.cos(t)]  # squares and products
-costate = (1.0 * sp.cos(2 * t), -0.5 * sp.sin(2 * t))  # a tuple, decimals
-switching = (1 - sp.cos(4 * t)) / 8  # doubled angle
-switching = sp.sin(t) ** 2 * sp.cos(t) ** 2  # a product
-latest = 1.57  # three digits
+time = round(float(time), 3)  # three digits
+control = [[stiffest, time]]  # a list of one arc
+# a product
+omega = sp.sqrt(stiffest)
+trajectory = 2 * push / omega * sp.sin(omega * t / 2) * sp.cos(omega * t / 2)
+# both states, a column
+omega = sp.sqrt(stiffest)
+trajectory = push * sp.Matrix([sp.sin(omega * t) / omega, sp.cos(omega * t)])
+# squares and products
+omega = sp.sqrt(stiffest)
+s, c = sp.sin(omega * t / 2), sp.cos(omega * t / 2)
+costate = [(1 - 2 * s**2) / push, -2 * s * c / (omega * push)]
+# a tuple, decimals
+omega = sp.sqrt(stiffest)
+first, second = float(1 / sp.Integer(push)), float(1 / (omega * push))
+costate = (first * sp.cos(omega * t), -second * sp.sin(omega * t))
+switching = (1 - sp.cos(2 * sp.sqrt(stiffest) * t)) / (2 * stiffest)  # doubled angle
+# a product
+half = sp.sqrt(stiffest) * t / 2
+switching = 4 * sp.sin(half) ** 2 * sp.cos(half) ** 2 / stiffest
+latest = round(float(latest), 3)  # three digits
+
+# %% numbers
+softest, stiffest, push = [
+    (1, 4, 1),
+    (4, 9, 2),
+    (4, 16, 1),
+    (9, 25, 3),
+    (4, 36, 2),
+    (9, 49, 1),
+    (1, 64, 2),
+    (4, 9, 3),
+    (9, 16, 3),
+    (9, 25, 1),
+    (4, 36, 3),
+    (4, 49, 2),
+    (9, 64, 1),
+    (4, 81, 2),
+]
+shown = [
+    r"«softest» \leq u(t) \leq «stiffest» ,",
+    r"$\dot x(0) = «push»$",
+    r"its velocity at the start is «push».",
+]
+omega = sp.sqrt(stiffest)
+time, latest = sp.pi / (2 * omega), sp.pi / (2 * sp.sqrt(softest))
+control = sp.Integer(stiffest)
+trajectory = push * sp.sin(omega * t) / omega
+costate = [sp.cos(omega * t) / push, -sp.sin(omega * t) / (omega * push)]
+switching = sp.sin(omega * t) ** 2 / stiffest

@@ -1,33 +1,54 @@
 # %% wrong
-control = 2 * sp.cosh(2 * t) / sp.sinh(2)  # Is the velocity of the motion all control? (hint 2)
-# Which sign has u in the equation of the motion? (hint 2)
-control = (sp.sinh(2 * t) - 2 * sp.cosh(2 * t)) / sp.sinh(2)
-control = 1 - t  # Does this belong to a steady motion? What does it cost? (hint 1)
-control = (sp.cosh(t) - sp.sinh(t)) / sp.sinh(1)  # Was the price of x forgotten? (hint 1)
+control = control + motion  # Is the velocity of the motion all control? (hint 2)
+control = -control  # Which sign has u in the equation of the motion? (hint 2)
+control = end * (1 - t)  # Does this belong to a steady motion? What does it cost? (hint 1)
+# Was the price of x forgotten? (hint 1)
+control = end * (sp.cosh(t) - sp.sinh(t)) / sp.sinh(1)
 # Does the law for an infinite time lead away from zero? (hint 1)
-control = -3 * sp.sinh(2 * t) / sp.sinh(2)
+control = -(1 + sp.sqrt(1 + weight)) * motion
 # Was the free motion of the system left out in the elimination? (hint 1)
-motion = sp.sinh(sp.sqrt(3) * t) / sp.sinh(sp.sqrt(3))
-motion = t  # Is the straight line an extremal? (hint 1)
+motion = end * sp.sinh(sp.sqrt(weight) * t) / sp.sinh(sp.sqrt(weight))
+motion = end * t  # Is the straight line an extremal? (hint 1)
 # Which sign has the term with x in the equation of the second order? (hint 1)
-motion = sp.sin(2 * t) / sp.sin(2)
-motion = sp.exp(2 * t - 2)  # Where does this motion begin? (hint 2)
-motion = sp.sinh(t) / sp.sinh(1)  # Does being away from zero cost nothing? (hint 1)
-# With H to be made greatest, which sign has the costate? (hint 1)
-costate = (sp.sinh(2 * t) - 2 * sp.cosh(2 * t)) / sp.sinh(2)
-# Was the half before the integral left out? (hint 1)
-costate = (4 * sp.cosh(2 * t) - 2 * sp.sinh(2 * t)) / sp.sinh(2)
+rate = sp.sqrt(1 + weight)
+motion = end * sp.sin(rate * t) / sp.sin(rate)
+motion = end * sp.exp(sp.sqrt(1 + weight) * (t - 1))  # Where does this motion begin? (hint 2)
+motion = end * sp.sinh(t) / sp.sinh(1)  # Does being away from zero cost nothing? (hint 1)
+costate = -costate  # With H to be made greatest, which sign has the costate? (hint 1)
+costate = 2 * costate  # Was the half before the integral left out? (hint 1)
 # Is the Riccati equation for an infinite time of use with a given end? (hint 1)
-costate = -3 * sp.sinh(2 * t) / sp.sinh(2)
-cost = 2 * sp.coth(2) - 1  # Was the half before the integral left out? (hint 1)
-cost = sp.coth(2)  # Was a derivative in the integrand forgotten? (hint 1)
+costate = -(1 + sp.sqrt(1 + weight)) * motion
+cost = 2 * cost  # Was the half before the integral left out? (hint 1)
+cost = cost + sp.Rational(end**2, 2)  # Was a derivative in the integrand forgotten? (hint 1)
 # Which sign has the product of x and its velocity in the square of u? (hint 1)
-cost = sp.coth(2) + sp.Rational(1, 2)
-cost = sp.Rational(1, 2)  # Is this bound attained by a motion with these ends?
+cost = cost + end**2
+# Is this bound attained by a motion with these ends?
+cost = end**2 * (sp.sqrt(1 + weight) - 1) / 2
 
 # %% right
-control = (sp.exp(2 * t) + 3 * sp.exp(-2 * t)) / (sp.exp(2) - sp.exp(-2))  # with exponentials
-motion = sp.sinh(t) * sp.cosh(t) / (sp.sinh(1) * sp.cosh(1))  # of the half argument
-costate = [(sp.exp(2 * t) + 3 * sp.exp(-2 * t)) / (sp.exp(2) - sp.exp(-2))]  # a list of one
-cost = sp.Rational(1, 2) + 2 / (sp.exp(4) - 1)  # with an exponential
-cost = 0.537  # three digits
+# with exponentials
+rate = sp.sqrt(1 + weight)
+growing, decaying = (rate - 1) * sp.exp(rate * t), (rate + 1) * sp.exp(-rate * t)
+control = end * (growing + decaying) / (sp.exp(rate) - sp.exp(-rate))
+# of the half argument
+half = sp.sqrt(1 + weight) / 2
+motion = end * sp.sinh(half * t) * sp.cosh(half * t) / (sp.sinh(half) * sp.cosh(half))
+costate = [control]  # a list of one
+# with an exponential
+rate = sp.sqrt(1 + weight)
+cost = end**2 * (rate - 1 + 2 * rate / (sp.exp(2 * rate) - 1)) / 2
+cost = round(float(cost), 3)  # three digits
+
+# %% numbers
+weight, end = [
+    (rate**2 - 1, end)
+    for rate, end in [
+        *[(2, 1), (3, 1), (4, 1), (2, 2), (3, 2), (4, 2), (2, 3)],
+        *[(3, 3), (4, 3), (2, 4), (3, 4), (4, 4), (2, 5), (3, 5)],
+    ]
+]
+shown = [r"$x(1) = «end»$", r"\big(«weight*»x^2 + u^2\big)"]
+rate = sp.sqrt(1 + weight)
+motion = end * sp.sinh(rate * t) / sp.sinh(rate)
+control = costate = sp.diff(motion, t) - motion
+cost = end**2 * (rate * sp.coth(rate) - 1) / 2
