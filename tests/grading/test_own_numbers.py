@@ -91,7 +91,7 @@ def test_what_cannot_be_handed_out(tmp_path):
         path.with_name(numbers.NAME).write_text(table or f"student,{problem}\n", encoding="utf-8")
 
     for problem, table, students, message in [
-        ("1.15", "", CLASS, "none of the problems 1.15 varies"),
+        ("1.18", "", CLASS, "none of the problems 1.18 varies"),
         ("2.4", "", [], "give --roster"),
         ("2.4", "", ["../ann"], "cannot be the name of a folder"),
         ("2.4", "student,2.4\nann,999\n", [], "no proved row 999"),
@@ -205,31 +205,31 @@ def test_a_pool_that_cannot_be_used(tmp_path, text, message):
 
 def test_each_student_has_one_problem_of_a_pool(tmp_path):
     assignments = tmp_path / "assignments"
-    handing_out.make(assignments, "hw1", [], own_numbers=True, pool=["1.15", "1.17"])
+    handing_out.make(assignments, "hw1", [], own_numbers=True, pool=["1.18", "1.4"])
     table = student_folders.hand_out(assignments, "hw1", CLASS)
-    assert Counter(own["pool"] for own in table.values()) == {"1.15": 3, "1.17": 3}
+    assert Counter(own["pool"] for own in table.values()) == {"1.18": 3, "1.4": 3}
     path = assignments / "hw1" / numbers.NAME
     assert numbers.read(path) == table
-    path.write_text("student,pool\nann,1.15\nben,1.17\n", encoding="utf-8")
+    path.write_text("student,pool\nann,1.18\nben,1.4\n", encoding="utf-8")
 
     def submit(student, answers):
-        file = tmp_path / "submitted" / student / "hw1" / "ch1-p15.ipynb"
+        file = tmp_path / "submitted" / student / "hw1" / "ch1-p18.ipynb"
         file.parent.mkdir(parents=True)
-        file.write_text(json.dumps(notebook("1.15", answers)), encoding="utf-8")
+        file.write_text(json.dumps(notebook("1.18", answers)), encoding="utf-8")
 
     submit("ann", RIGHT_1_15)
     submit("ben", RIGHT_1_15)  # right, and not asked of him
     grade = [tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True]
     if table["ann"]["pool"] == table["ben"]["pool"]:  # their folders are those of the draw
-        with pytest.raises(InputError, match="ch1-p1[57].ipynb: numbers.csv says 1"):
+        with pytest.raises(InputError, match="ipynb: numbers.csv says 1"):
             commands.grade_course(*grade)
     student_folders.hand_out(assignments, "hw1")
     folders = assignments / "hw1" / "students"
-    assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p17.ipynb"]
+    assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p04.ipynb"]
     result = commands.grade_course(*grade)
-    assert result["assignments"]["hw1"] == {"ann": 5.0, "ben": 0.0}
+    assert result["assignments"]["hw1"] == {"ann": 2.0, "ben": 0.0}
     assert [reason for _, reason in result["left aside"]] == [
-        "numbers.csv says 1.17 for ben, not 1.15"
+        "numbers.csv says 1.4 for ben, not 1.18"
     ]
     path.write_text("student,pool\nann,2.4\n", encoding="utf-8")
     with pytest.raises(InputError, match="2.4, which ann has, is not in the pool"):
