@@ -295,10 +295,10 @@ def new(
         own_numbers,
         pool or [],
     )
-    asked = homework.points.keys() - set(homework.pool[1:])
-    answers = sum(len(homework.points[problem]) for problem in asked)
+    counted = homework.points.keys() - set(homework.pool[1:])
+    answers = sum(len(homework.points[problem]) for problem in counted)
     console.print(
-        f"{assignments / name}: {count(len(asked), 'problem')}, {count(answers, 'answer')}, "
+        f"{assignments / name}: {count(len(counted), 'problem')}, {count(answers, 'answer')}, "
         f"{homework.max_points:g} points, "
         + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
         markup=False,
