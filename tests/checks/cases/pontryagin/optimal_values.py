@@ -71,6 +71,17 @@ TINY = Problem({x: u}, {u: (-1, 1)}, {x: sp.Rational(1, 2)}, [], running=x**2 / 
 NOTHING = Problem({x: u}, {u: (-1, 1)}, {x: 0}, [x], running=x**2, final=1000, duration=1)
 
 
+# An oscillator at rest is driven as far as it goes before it first stops; not moving is no process.
+OUT_OF_REST = Problem(
+    {x1: x2, x2: u - x1},
+    {u: (-2, 2)},
+    {x1: 0, x2: 0},
+    [x2],
+    final=x1,
+    maximise=True,
+    first_return=True,
+)
+
 # From any state; on the curve on which the braking begins no other arc is left.
 b = sp.Symbol("b", real=True)
 DEAR = Problem(
@@ -93,6 +104,8 @@ def dear(price):
 
 
 CASES = [
+    Case("optimal_duration", sp.pi, (OUT_OF_REST,), "right", "it leaves its rest at once"),
+    Case("optimal_duration", 3 * sp.pi, (OUT_OF_REST,), "wrong", "a later return"),
     Case("optimal_cost", dear(sp.Rational(5, 4)), (DEAR, STATES), "right", "three formulas"),
     Case("optimal_cost", dear(sp.Rational(6, 5)), (DEAR, STATES), "wrong", "another price"),
     Case("optimal_cost", sp.Rational(1, 24 * 10**6), (TINY,), "right", "a small unit"),

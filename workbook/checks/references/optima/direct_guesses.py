@@ -221,6 +221,8 @@ class DirectGuesses(DirectProgramme):
             0.0 if kind is None and abs(middle.mean()) <= QUIET * (high - low) else kind
             for (kind, _), middle in zip(arcs, middles)
         ]
+        if self._returns:  # a first arc that rests on the target would be a return
+            kinds[0] = arcs[0][0]
         return (
             ([(kind, pieces) for kind, (_, pieces) in zip(kinds, arcs)], unknown)
             if kinds != kinds_of(arcs)
