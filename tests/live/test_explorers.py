@@ -172,6 +172,13 @@ def test_distance_vanishes_for_an_unobservable_pair():
         assert ("between 0 and" in text(explorer)) == unobservable
 
 
+def test_a_value_that_is_set_is_not_kept_for_the_next_time():
+    first = explore("pole_zero_cancellation alpha=1.5")
+    second = explore("pole_zero_cancellation")
+    assert [evaluate(figure).scalars[0] for figure in (first, second)] == [1.5, 0.5]
+    assert first.steps is second.steps  # compiled once
+
+
 @pytest.mark.parametrize("R", [0.7, 1.6, 2.6])
 def test_times_to_the_circle_are_those_of_the_reachable_set(R):
     """Compare times with those at which the reachable set meets or leaves the disc."""

@@ -1,15 +1,15 @@
 """Loss of controllability or observability of a mode as a pole-zero cancellation."""
 
-from functools import cache
-
 import sympy as sp
 
 from workbook.display import Explorer
+from workbook.live.explorers.built_once import built_once
 from workbook.live.worked_problem import WorkedProblem
 
 HORIZON, REACH, SMALL = 3, 3, 1e-12
 
 
+@built_once
 def pole_zero_cancellation():
     """Show when the modes of problem 2.27, x' = Ax + B(beta)u, z = H(alpha)x, are cancelled.
 
@@ -34,7 +34,7 @@ def pole_zero_cancellation():
     figure.quantity(control, sp.Abs(sp.Matrix.hstack(B, A * B).det()))
     figure.quantity(output, sp.Abs(sp.Matrix.vstack(H, H * A).det()))
     around = figure.curve(angle, 0, 2 * sp.pi)
-    reachable, observed = _gramians()
+    reachable, observed = _gramian(A, B), _gramian(A.T, H.T)
     scale = 1 / (100 * (sp.Abs(observed.det()) + SMALL))
     square = (-REACH, REACH)
     for name, matrix, factor, style, label in (
@@ -54,13 +54,6 @@ def pole_zero_cancellation():
         (True, "No mode is cancelled: det (B, AB) = {control}, det (H; HA) = {output}."),
     )
     return figure
-
-
-@cache
-def _gramians():
-    """Return the Gramians of controllability and of observability."""
-    A, B, H = (WorkedProblem("2.27").data[name] for name in ("A", "B", "H"))
-    return _gramian(A, B), _gramian(A.T, H.T)
 
 
 def _gramian(A, B):

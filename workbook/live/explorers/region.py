@@ -4,12 +4,14 @@ import sympy as sp
 
 from workbook.display import Explorer
 from workbook.live.errors import LiveError
+from workbook.live.explorers.built_once import built_once
 from workbook.live.worked_problem import WorkedProblem
 
 #: Range of the parameters, and of the real and imaginary parts of the roots.
 RANGE, REACH = (-2, 4), 3
 
 
+@built_once
 def region_of_stability(problem="1.15", item="a"):
     """Show a stability region in the plane of two parameters, and the roots at a point of it.
 
