@@ -22,7 +22,7 @@ from pathlib import Path
 
 import sympy as sp
 from execute import EXECUTION, for_page, import_for, modules_loaded, run_in_parallel, shared_digest
-from kernel import PICTURES, add_font
+from kernel import set_up_pictures
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom, BooleanFunction
 
@@ -226,8 +226,8 @@ def draw(answer, right, point):
     symbols = [sp.Symbol(name, real=True) for name in point]
     x, y = (float(sp.Rational(text)) for text in point.values())
     ranges = [(-half, half) for half in (max(2, 1.6 * abs(x)), max(2, 1.6 * abs(y)))]
-    add_font()
-    with plotting.style(), plt.rc_context(PICTURES["rc"]):
+    set_up_pictures()  # in a process of its own
+    with plotting.style():
         figure, axes = plt.subplots(1, 2, figsize=(6.2, 3.1), layout="constrained")
         for ax, region, title in zip(axes, (answer, right), ("this answer", "right answer")):
             plotting.region(_plain(_condition(region), symbols), symbols, *ranges, ax=ax)

@@ -42,12 +42,16 @@ PICTURES = {
 }
 
 
-def add_font():
-    """Let Matplotlib find the page's font."""
-    from matplotlib.font_manager import fontManager
+def set_up_pictures():
+    """Give Matplotlib the page's font and the settings of PICTURES.
 
-    if FAMILIES[0] not in fontManager.get_font_names():
-        fontManager.addfont(FONT)
+    The kernel's own backend sets them only for figures of pyplot.
+    """
+    from matplotlib import font_manager, rcParams
+
+    if FAMILIES[0] not in font_manager.get_font_names():
+        font_manager.fontManager.addfont(FONT)
+    rcParams.update(PICTURES["rc"])
 
 
 class Client(AsyncKernelClient):
@@ -134,7 +138,7 @@ def _serve(connection_file, folder, sender):
         ]
         # as `random` does by itself: all forks would draw the same numbers
         numpy.random.seed()
-        add_font()
+        set_up_pictures()
         app = IPKernelApp.instance(config=Config(InlineBackend=PICTURES))
         # A kernel's own log is no use in a build: the messages of a cell are in its outputs.
         app.initialize(
