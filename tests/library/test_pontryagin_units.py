@@ -109,9 +109,9 @@ def validate(name, numbers):
 
 
 NAMES = [*LITERATURE, *PROBLEMS]
-# Not yet the same: a process along which the passage may nearly begin at any time. In other powers of
-# two its discrete solution is too coarse for Newton's method, or the second variation is too small.
-OPEN = {("Maier-Stein, T = 20", "days"), ("Maier-Stein, T = 20", "all at once")}
+# Not yet solved, or not alike: a passage that may nearly begin at any time. In other powers of two the
+# discrete solution is too coarse for Newton's method, or the second variation too small to be judged.
+OPEN = {("Maier-Stein, T = 20", kind) for kind in ("days", "all at once", "thousand kilometres")}
 # Every second problem in one kind of numbers, each kind for every ninth of them; make test-units
 # takes each problem in all kinds.
 CASES = (

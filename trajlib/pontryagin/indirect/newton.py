@@ -15,6 +15,8 @@ STAGNATION, PATIENCE = 0.9, 10
 SHORTEST_NATURAL = 1 / 32
 
 
+# Norms of residuals far from a solution may overflow: such trials are refused.
+@np.errstate(over="ignore")
 def newton(equations, z, iterations=80):
     """Solve by damped least-squares Newton steps; the lengths of the arcs stay positive.
 
