@@ -39,7 +39,6 @@ class Record:
     tolerance: float = 1e-10
     published: tuple = ()
     refuted: tuple = ()
-    seconds: float | None = None
 
 
 def bryson_denham(limit):
@@ -691,7 +690,6 @@ def threefold_zero():
         [3 - 6 ** (1 / 3)],
         chain_of_three(),
         "closed form: psi_3 = s^3/6 has a threefold zero at the end",
-        seconds=3,
     )
 
 
@@ -708,7 +706,6 @@ def touched_bound():
         [],
         -1 / 9,
         "closed form: u = (t - 1)^4 touches its bound",
-        seconds=3,
     )
 
 
@@ -728,7 +725,6 @@ def ramsey_growth():
         ramsey(),
         "SciPy: shooting for the Euler equation",
         "Ramsey 1928, with numbers of our own",
-        seconds=3,
     )
 
 
@@ -747,7 +743,6 @@ def robot_arm():
         arm(),
         "SciPy: two equations for the switching times",
         "COPS collection of Dolan and More",
-        seconds=5,
     )
 
 

@@ -43,7 +43,7 @@ DIGITS, MAX_DIGITS = 40, 1280
 AGREEMENT = 1e-15
 # Largest number of segments, along each of which errors grow by CANCELLING at most.
 MAX_SEGMENTS = 512
-PROOF = "a linear plant, and a quadratic cost with a positive second variation"
+PROOF = "a linear plant, and a quadratic cost whose second variation is positive in floats"
 # Points on each segment at which the sizes of the values are taken.
 SAMPLES = 16
 
