@@ -292,7 +292,9 @@ ARGUMENTS = {
     "ends": lambda new, ends: new.value(list(ends), new.of_state),
     "curve": lambda new, curve: new.with_curve(curve),
     "parameters": Rescaled.domain,
-    "start": lambda new, start: new.value(start) if isinstance(start, Boolean) else start,
+    "start": lambda new, start: (
+        new.value(start) if isinstance(start, Boolean) and not start.is_Symbol else start
+    ),
     "domain": Rescaled.domain,
     "unknown": Rescaled.domain,
     "law": lambda new, law: new.value(law, new.of_control),
