@@ -32,7 +32,7 @@ FAULTS = """(paper => {
         const [dark, light] = [ink, paper].map(luminance).sort((a, b) => a - b);
         return (light + 0.05) / (dark + 0.05); };
     const faults = [], fault = (kind, e) => faults.push(kind + ': ' + e.outerHTML.slice(0, 110));
-    const root = document.documentElement, title = document.querySelector('article h1');
+    const root = document.documentElement, title = [...document.querySelectorAll('h1')].find(e => e.checkVisibility());
     if (root.scrollWidth > root.clientWidth) faults.push(root.scrollWidth + ' px wide');
     const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), range = document.createRange();
     const inked = new Set();
@@ -43,7 +43,7 @@ FAULTS = """(paper => {
         range.selectNodeContents(text);
         const box = range.getBoundingClientRect();
         if (box.width < 2 || box.height < 2 || box.right < 0 || box.bottom + scrollY < 0) continue;
-        if (paper && !e.closest('article') && box.top < title.getBoundingClientRect().top) fault('before the title', e);
+        if (paper && box.bottom <= title.getBoundingClientRect().top) fault('before the title', e);
         if (inked.has(e)) continue;
         inked.add(e);
         const paint = numbers(getComputedStyle(e)[e.closest('svg') ? 'fill' : 'color']);
