@@ -97,7 +97,9 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
             )
         if count == SAMPLES:
             break
-    return f"singular arcs lie there and nowhere else, tried at {count} places"
+    if not count:
+        raise RuntimeError("no point of the surface could be decided")
+    return f"singular arcs lie there and nowhere else, tried at {count} points"
 
 
 @judged(

@@ -102,6 +102,13 @@ CASES = [
             (sp.Eq(beta, 0), "wrong", "one of two angles"),
         )
     ),
+    Case(
+        "singular_surface",
+        x1,
+        (SQUARE, TWO, {x1: sp.Interval(1, 2)}),
+        "unchecked",
+        "a domain that the surface does not meet",
+    ),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
     Case(
         "singular_surface",
