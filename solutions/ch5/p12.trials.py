@@ -73,7 +73,7 @@ softest, stiffest, push = [
 shown = [
     r"«softest» \leq u(t) \leq «stiffest» ,",
     r"$\dot x(0) = «push»$",
-    r"its velocity at the start is «push».",
+    r"its velocity at the initial instant is «push».",
 ]
 omega = sp.sqrt(stiffest)
 time, latest = sp.pi / (2 * omega), sp.pi / (2 * sp.sqrt(softest))

@@ -9,13 +9,14 @@ from workbook.authoring import master_paths
 
 ROOT = Path(__file__).resolve().parents[2]
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(.*?)^\1[ \t]*$", re.M | re.S)
-PAGES = [
+FILES = [
     *master_paths(ROOT / "solutions"),
     *sorted((ROOT / "book").glob("ch*/*.md")),
     *sorted((ROOT / "book" / "errata").glob("ch*.md")),
     ROOT / "book" / "guides" / "engineer.md",
     *sorted((ROOT / "book" / "guides" / "tutorials").glob("*.md")),
 ]
+PAGES = [path for path in FILES if "{code-cell}" in path.read_text(encoding="utf-8")]
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")
