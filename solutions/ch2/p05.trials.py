@@ -14,93 +14,189 @@ b_unseen = [[1, 0, -1]]
 c_observable = True
 # Was a sign lost when z and its derivative were put to zero? Test the vector with both equations.
 # (hint 1)
-c_unseen = [[0, 1, 1]]
+c_unseen = [[0, c_unseen[0][1], -c_unseen[0][2]]]
 # Do these states stay unobservable as time goes on, or only at the initial time? (hint 2)
 c_unseen = [[0, 1, 0], [0, 0, 1]]
 c_unseen = [[0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
 # Is it enough that all three coordinates enter z or its derivative? They may enter in one
 # combination only. (hint 1)
 d_observable = True
-d_unseen = [[1, 0, -1]]  # Was a sign lost? Put this vector into the derivative of z. (hint 1)
+# Was a sign lost? Put this vector into the derivative of z. (hint 1)
+d_unseen = [[d_unseen[0][0], 0, -d_unseen[0][2]]]
 # Does it follow from the eigenvalues that show in z that nothing is lost? Count the eigenvectors
 # too. (hint 1)
 e_observable = True
 # Does the motion along this eigenvector really give zero for z? (hint 2)
-e_unseen = [[2, -1, 1]]
+e_unseen = [list(A_e.nullspace()[0])]
 # Is one vector too many here? Compute the output of each of them and its derivative. (hint 2)
-e_unseen = [[1, 0, 1], [0, 1, 0]]
+e_unseen = [*e_unseen, [0, 1, 0]]
 # Does a coordinate that listens to the others have to be seen? Ask whom it acts on. (hint 1)
 f_observable = True
 # Are these the states with zero output at the initial time only? (hint 1)
-f_unseen = [[1, -1, 0], [0, 0, 1]]
-g_region = sp.Ne(alpha, -1)  # Was one factor of the determinant overlooked? (hint 1)
+f_unseen = [list(v) for v in H_f.nullspace()]
+# Was one factor of the determinant overlooked? (hint 1)
+g_region = sp.Ne(alpha, min(g_unseen))
 # Are these the values at which something is lost, instead of those at which nothing is? (hint 1)
-g_region = sp.Or(sp.Eq(alpha, -1), sp.Eq(alpha, sp.Rational(1, 5)))
+g_region = sp.Or(*(sp.Eq(alpha, value) for value in g_unseen))
 # Does the sign of the determinant matter, or only whether it vanishes? (hint 1)
-g_region = sp.And(sp.Ne(alpha, -1), alpha < sp.Rational(1, 5))
+g_region = sp.And(sp.Ne(alpha, min(g_unseen)), alpha < max(g_unseen))
 # Is one vector a whole basis at each of these values? Count the independent rows that are left.
 # (hint 2)
-g_unseen = {-1: [[1, 1, 1]], sp.Rational(1, 5): [[-1, 3, 5]]}
-g_unseen = {-1: [[0, 1, 0], [1, 0, 1]]}  # Was one of the exceptional values left out? (hint 1)
+g_unseen = {value: basis[:1] for value, basis in g_unseen.items()}
+# Was one of the exceptional values left out? (hint 1)
+g_unseen = {min(g_unseen): g_unseen[min(g_unseen)]}
 # Have the two values changed places? Put each of them into the rows again. (hint 1)
-g_unseen = {sp.Rational(1, 5): [[0, 1, 0], [1, 0, 1]], -1: [[-1, 3, 5]]}
-h_region = sp.Ne(alpha, 2)  # Was a sign lost in the factor of the determinant? (hint 2)
+g_unseen = dict(zip(g_unseen, reversed(g_unseen.values())))
+# Was a sign lost in the factor of the determinant? (hint 2)
+h_region = sp.Ne(alpha, -min(h_unseen))
 # Is this the eigenvector alone? How many rows are still independent there? (hint 1)
-h_unseen = {-2: [[-1, 2, 1]]}
+h_unseen = {min(h_unseen): [list(v) for v in (A_h + sp.eye(3)).nullspace()]}
 # Is anything lost at all at each of the values named here? Compute the determinant there. (hint 1)
-h_unseen = {-2: [[1, 0, 0], [0, 2, 1]], 0: [[1, 0, 0]]}
+h_unseen = h_unseen | {min(h_unseen) + 2: [[1, 0, 0]]}
 # Is this the condition of a single minor? All of them have to vanish together. (hint 1)
-i_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 3))
+i_region = sp.And(sp.Ne(alpha, min(i_unseen)), sp.Ne(alpha, min(i_unseen) + 2))
 # Is this what the first output alone does not see? Ask the second output too, and check the value.
 # (hint 1)
-i_unseen = {3: [[0, 1, -1]]}
+i_unseen = {value + 2: basis for value, basis in i_unseen.items()}
 # Is this eigenvector really without any trace in both outputs? (hint 1)
-i_unseen = {1: [[1, 1, 0]]}
+i_unseen = {value: [[1, 1, 0]] for value in i_unseen}
 # Is this the condition of a single minor? The others may still be different from zero there. (hint 1)
-j_region = sp.And(sp.Ne(alpha, -1), sp.Ne(alpha, -sp.Rational(1, 2)))
+j_region = sp.And(sp.Ne(alpha, min(j_unseen)), sp.Ne(alpha, min(j_unseen) + sp.Rational(1, 2)))
 j_region = True  # Does the minor really never vanish? Factor it. (hint 1)
 # Is this the eigenvector that the first output alone does not see? Ask the second one at this
 # value. (hint 1)
-j_unseen = {-1: [[1, 0, 1]], -sp.Rational(1, 2): [[1, 3, 2]]}
+unseen_by_first = [list(v) for v in (A_j + 5 * sp.eye(3)).nullspace()]
+j_unseen = j_unseen | {min(j_unseen) + sp.Rational(1, 2): unseen_by_first}
 
 # %% right
 a_unseen = sp.zeros(3, 0)  # a matrix without columns
 b_unseen = sp.zeros(3, 0)  # a matrix without columns
-c_unseen = [(0, 2.5, -2.5)]  # another length and sign
-c_unseen = sp.Matrix([0, 3, -3])  # a column
-d_unseen = [sp.Matrix([-7, 0, -7])]  # a list of columns
+c_unseen = [tuple(2.5 * float(x) for x in c_unseen[0])]  # another length, as decimals
+c_unseen = -3 * sp.Matrix(c_unseen[0])  # a column
+d_unseen = [-7 * sp.Matrix(d_unseen[0])]  # a list of columns
 # floats of length one
 import numpy as np
 
-e_unseen = [np.array([1.0, 0.0, 1.0]) / np.sqrt(2)]
-e_unseen = ((-1, 0, -1),)  # a tuple of tuples
-f_unseen = sp.Matrix([0, 0, -1])  # a column
+vector = np.array(e_unseen[0], dtype=float)
+e_unseen = [vector / np.linalg.norm(vector)]
+e_unseen = (tuple(-x for x in e_unseen[0]),)  # a tuple of tuples
+f_unseen = -sp.Matrix(f_unseen[0])  # a column
 # an array
 import numpy as np
 
-f_unseen = np.array([[0, 0, 4]])
-g_region = sp.Ne((alpha + 1) ** 2 * (5 * alpha - 1), 0)  # the determinant
-# a list of two conditions, a plain symbol and a decimal
-g_region = [sp.Ne(sp.Symbol("alpha"), -1), sp.Ne(sp.Symbol("alpha"), 0.2)]
-# eigenvectors as the basis, a float as the value
-g_unseen = {-1.0: [[1, 1, 1], [1, 0, 1]], 0.2: [[1, -3, -5]]}
+f_unseen = 4 * np.array(f_unseen, dtype=float)
+# the determinant
+g_region = sp.Ne(sp.Matrix.vstack(H_g, H_g * A_g, H_g * A_g**2).det(), 0)
+# a list of two conditions, a plain symbol and decimals
+g_region = [sp.Ne(sp.Symbol("alpha"), float(value)) for value in g_unseen]
+# eigenvectors as the basis, floats as the values
+growing = [(A_g - root * sp.eye(3)).nullspace()[0] for root in (1, 2)]
+g_unseen = {float(min(g_unseen)): growing, float(max(g_unseen)): (A_g + sp.eye(3)).nullspace()}
 # matrices with the basis as columns
-g_unseen = {
-    sp.Rational(1, 5): sp.Matrix([-1, 3, 5]),
-    sp.Integer(-1): sp.Matrix([[0, 1], [1, 0], [0, 1]]),
-}
-h_region = sp.Or(alpha < -2, alpha > -2)  # two intervals
-h_unseen = {-2: [[-1, 2, 1], [0, 2, 1]]}  # the two eigenvectors
-h_unseen = {-2: sp.Matrix([[0, 1, -2]]).nullspace()}  # a list of columns
+g_unseen = {value: sp.Matrix(basis).T for value, basis in g_unseen.items()}
+h_region = sp.Or(alpha < min(h_unseen), alpha > min(h_unseen))  # two intervals
+# the two eigenvectors
+h_unseen = {min(h_unseen): [(A_h + root * sp.eye(3)).nullspace()[0] for root in (1, -1)]}
+h_unseen = {value: H_h.subs(alpha, value).nullspace() for value in h_unseen}  # a list of columns
 # the sum of the squares of two minors
-i_region = sp.Ne((alpha - 1) ** 2 + ((alpha - 3) * (alpha - 1)) ** 2, 0)
+minor = alpha - min(i_unseen)
+i_region = sp.Ne(minor**2 + (minor * (minor - 2)) ** 2, 0)
 # one of several minors does not vanish
-i_region = sp.Or(sp.Ne(alpha - 1, 0), sp.Ne((alpha - 3) * (alpha - 1), 0))
-i_unseen = {1: [(0, -1, 1)]}  # the other sign, as a tuple
-i_unseen = {1.0: sp.Matrix([0, 5, -5])}  # a column
-j_region = sp.Ne((1 + alpha) * (1 + alpha**2), 0)  # a factor that never vanishes kept
-j_unseen = {-1: [[2, 0, 2]]}  # another length
+minor = alpha - min(i_unseen)
+i_region = sp.Or(sp.Ne(minor, 0), sp.Ne(minor * (minor - 2), 0))
+# the other sign, as a tuple
+i_unseen = {value: [tuple(-x for x in basis[0])] for value, basis in i_unseen.items()}
+i_unseen = {float(value): 5 * sp.Matrix(basis[0]) for value, basis in i_unseen.items()}  # a column
+j_region = sp.Ne((alpha - min(j_unseen)) * (1 + alpha**2), 0)  # a factor that never vanishes kept
+# another length
+j_unseen = {value: [[2 * x for x in basis[0]]] for value, basis in j_unseen.items()}
 # an array of floats
 import numpy as np
 
-j_unseen = {-1: np.array([[-0.5, 0.0, -0.5]])}
+j_unseen = {value: -0.5 * np.array(basis, dtype=float) for value, basis in j_unseen.items()}
+
+# %% numbers
+from itertools import combinations
+
+from workbook.authoring.numbers import linear_form
+
+
+def sheared(A, row, column, factor):
+    """The matrix after a multiple of one coordinate is added to another."""
+    T = sp.eye(3)
+    T[row, column] = factor
+    return T * A * T.inv()
+
+
+def changed(factors, order):
+    """The systems of items c to j in other coordinates: alpha moves in g to j."""
+    c, d, e, g, h, i, j = factors
+    return (
+        *(sheared(A_c, 2, 1, c), sheared(A_d, 2, 0, d), sheared(A_e, 2, 0, e)),
+        *(A_f.extract(order, order), H_f.extract([0], order)),
+        *(sheared(A_g, 0, 2, g), sheared(A_h, 1, 2, h)),
+        *(sheared(A_i, 1, 2, i), sheared(A_j, 0, 2, j)),
+    )
+
+
+A_c, A_d, A_e, A_f, H_f, A_g, A_h, A_i, A_j = [
+    changed(*parts)
+    for parts in [
+        ((0, 0, 0, 0, 0, 0, 0), [0, 1, 2]),
+        ((-1, 1, 1, 1, 1, -1, 1), [0, 2, 1]),
+        ((2, -2, 2, -1, -1, 2, -2), [2, 0, 1]),
+        ((-2, 2, -2, 2, 2, 1, 2), [1, 2, 0]),
+        ((3, 1, 1, -2, -3, -2, -1), [2, 1, 0]),
+        ((-1, -2, 2, 1, 1, 2, 1), [0, 2, 1]),
+        ((2, 2, -2, -1, 2, -1, -2), [2, 0, 1]),
+        ((3, 1, 2, 2, -1, 1, 2), [1, 2, 0]),
+        ((-2, -2, 1, -2, 1, 2, 1), [2, 1, 0]),
+        ((-1, 2, -2, 1, -1, -2, -1), [1, 2, 0]),
+        ((2, 1, 1, -1, -3, -1, 2), [2, 0, 1]),
+        ((3, -2, -2, 1, 2, 2, -2), [0, 2, 1]),
+        ((-2, 1, 2, 2, 1, -1, 1), [2, 1, 0]),
+        ((2, 2, 1, -2, -1, 1, -1), [1, 2, 0]),
+        ((3, -2, 2, -1, -3, -2, 2), [2, 0, 1]),
+    ]
+]
+states = ["x_1", "x_2", "x_3"]
+acting = [
+    "last two equations: do they need the first",
+    "first and the third equation: do they need the second",
+    "first two equations: do they need the third",
+]
+shown = [
+    *(
+        f"{item}) $\\quad\\dot x_1 = «linear_form(A_{item}.row(0), states)»,$ "
+        f"$\\quad \\dot x_2 = «linear_form(A_{item}.row(1), states)»,$ "
+        f"$\\quad \\dot x_3 = «linear_form(A_{item}.row(2), states)»"
+        for item in "cdefghij"
+    ),
+    "z = «linear_form(H_f, states)».",
+    "Look at the «acting[H_f.tolist()[0].index(0)]»",
+]
+site_share = 0.41  # 8 of 20: the items a and b, and the verdicts of c to f
+
+
+def lost(A, H):
+    """The values of alpha at which the rank falls, with the states that are unobservable there."""
+    N = sp.Matrix.vstack(H, H * A, H * A**2)
+    minors = [N.extract(rows, range(3)).det() for rows in combinations(range(N.rows), 3)]
+    return {value: basis(N.subs(alpha, value)) for value in sp.roots(sp.gcd_list(minors), alpha)}
+
+
+def basis(N):
+    return [list(v) for v in N.nullspace()]
+
+
+c_unseen, d_unseen, e_unseen, f_unseen = [
+    basis(sp.Matrix.vstack(H, H * A, H * A**2))
+    for A, H in [(A_c, H_c), (A_d, H_d), (A_e, H_e), (A_f, H_f)]
+]
+g_unseen, h_unseen, i_unseen, j_unseen = [
+    lost(A, H) for A, H in [(A_g, H_g), (A_h, H_h), (A_i, H_i), (A_j, H_j)]
+]
+g_region, h_region, i_region, j_region = [
+    sp.And(*(sp.Ne(alpha, value) for value in unseen))
+    for unseen in [g_unseen, h_unseen, i_unseen, j_unseen]
+]

@@ -1,57 +1,89 @@
 # %% wrong
 a_control = sp.Matrix([[-b2, -b1]])  # Has what the plant itself brings along been cancelled?
-a_control = sp.Matrix([[2 + b2, 1 + b1]])  # Is the feedback taken with a minus sign, $u = -Kx$?
+a_control = -a_control  # Is the feedback taken with a minus sign, $u = -Kx$?
 # Which of the two numbers is multiplied by x, and which by its rate?
-a_control = sp.Matrix([[-1 - b1, -2 - b2]])
+a_control = sp.Matrix([[a_control[1], a_control[0]]])
 # The product of the roots holds both numbers. Is the second one complete?
-a_correction = sp.Matrix([g1 + 1, g2 + 2])
+a_correction = sp.Matrix([a_correction[0], g2 + acceleration_a[0]])
 # Are these the numbers for a plant without roots of its own?
 a_correction = sp.Matrix([g1, g2])
 # Does the correction enter the equation of the errors as + LH?
-a_correction = sp.Matrix([-g1 - 1, -g1 - g2 - 3])
+a_correction = -a_correction
 # Is there a motion that the measurement does not show? What becomes of an error along it?
 b_margins = sp.true
 b_margins = sp.false  # Something is hidden. Does it grow or decay?
-b_margins = mu < 1  # Look at the margin 1 itself: can the slowest root be as fast as that?
-b_margins = mu <= 2  # Which of the two roots is the one that stays?
+# Look at the end of your interval: can the slowest root be as fast as that?
+b_margins = mu < weight_b
+# Which of the two roots is the one that stays?
+b_margins = mu <= acceleration_a[1] + weight_b
 # Put it into $A - LH$: where is the second root for $\gamma = 1$?
 b_correction = sp.Matrix([g, 0])
-b_correction = sp.Matrix([g + 1, g + 3])  # Is this the gain of a measurement of x alone?
+# Is this the gain of a measurement of x alone?
+b_correction = a_correction.subs({g1: g + weight_b, g2: g * weight_b})
 # In which combination do the two numbers enter the polynomial?
-b_correction = sp.Matrix([g + 2, g + 2])
+b_correction = sp.Matrix([1, 1]) * (g + acceleration_a[1] + weight_b)
 c_margins = mu <= 1  # The exponential that is not shown: is it a motion of this plant?
 # A zero of the measurement is no hidden motion. Compare it with the roots of the equation.
 c_margins = sp.false
 # Which sign has the friction that the plant has already?
-c_control = sp.Matrix([[-1 - b2, -2 - b1]])
+c_control = sp.Matrix([[c_control[0], acceleration_c[1] - b1]])
 # Which sign has the stiffness that the plant has already?
-c_control = sp.Matrix([[1 - b2, 2 - b1]])
+c_control = sp.Matrix([[acceleration_c[0] - b2, c_control[1]]])
 # The sum and the difference of two numbers, and then?
-c_correction = sp.Matrix([g1 + g2 - 1, g2 - g1 + 3])
+c_correction = 2 * c_correction
 # Are these the numbers themselves, or their difference and their sum?
-c_correction = sp.Matrix([g1 - 2, g2 + 1])
+c_correction = sp.Matrix([g1 + acceleration_c[1], g2 + acceleration_c[0]])
 # Does the plant move like the exponential that the measurement does not show?
 d_margins = sp.false
-d_margins = mu <= 2  # Is a zero of the measurement a root that no gain can move?
-# Is this the equation of item a? Mind the sign of the friction.
-d_control = sp.Matrix([[-2 - b2, -1 - b1]])
-d_control = sp.Matrix([[2 + b2, b1 - 1]])  # Is the feedback taken with a minus sign, $u = -Kx$?
+d_margins = mu <= weight_d  # Is a zero of the measurement a root that no gain can move?
+# Which sign has the friction that the plant has already?
+d_control = sp.Matrix([[d_control[0], acceleration_d[1] - b1]])
+d_control = -d_control  # Is the feedback taken with a minus sign, $u = -Kx$?
 # Is the right-hand side divided by what stands before $l_1$ and $l_2$?
-d_correction = sp.Matrix([2 * g1 + g2, 2 * g2 + 4])
+d_correction = weight_d**2 * d_correction
 # The sum of the roots holds both numbers. Is the first one complete?
-d_correction = sp.Matrix([g1 / 2, g2 / 2 + 1])
+d_correction = sp.Matrix([g1 / weight_d, d_correction[1]])
 
 # %% right
-a_control = [-b2 - 2, -b1 - 1]  # a flat list
-a_correction = sp.Matrix([[g1 + 1, g1 + 1 + g2 + 2]])  # lying down
-b_margins = sp.And(mu > 0, mu <= 1)  # with what is known of mu
-b_margins = mu**2 <= 1  # a square
-b_correction = sp.Matrix([0, g + 2])  # the whole correction on the second equation
-b_correction = sp.Matrix([g, 2])  # another splitting of the sum
-b_correction = sp.Matrix([1, 1]) * (g + 2) / 2  # in two halves
+a_control = list(a_control)  # a flat list
+a_correction = a_correction.T  # lying down
+b_margins = sp.And(mu > 0, mu <= weight_b)  # with what is known of mu
+b_margins = mu**2 <= weight_b**2  # a square
+# the whole correction on the second equation
+b_correction = sp.Matrix([0, g + acceleration_a[1] + weight_b])
+# another splitting of the sum
+b_correction = sp.Matrix([g / weight_b, acceleration_a[1] + weight_b])
+# in two halves
+b_correction = sp.Matrix([1 / sp.Integer(weight_b), 1]) * (g + acceleration_a[1] + weight_b) / 2
 c_margins = mu > 0  # what is known of mu
-c_control = -sp.Matrix([[1 + b2, b1 - 2]])  # a factor taken out
-c_correction = [(g1 + g2) / 2 - 0.5, (g2 - g1) / 2 + 1.5]  # decimals
+c_control = c_control.tolist()  # nested lists
+c_correction = [sp.N(gain) for gain in c_correction]  # decimals
 d_margins = mu < sp.oo  # no bound
-d_control = sp.Matrix([-2 - b2, 1 - b1])  # upright
-d_correction = [g1 / 2 + g2 / 4, g2 / 2 + 1]  # each by itself
+d_control = d_control.T  # upright
+d_correction = list(d_correction.expand())  # each by itself
+
+# %% numbers
+weight_b, acceleration_a, acceleration_c, acceleration_d, weight_d = [
+    (slow, [slow * fast, fast - slow], [k, -1 - k], [weight * friction, -friction], weight)
+    for fast, slow, k, weight, friction in [
+        *[(2, 1, 1, 2, 1), (1, 2, 2, 2, 2), (3, 2, 3, 3, 1), (1, 3, 4, 2, 3), (2, 3, 5, 3, 2)],
+        *[(4, 3, 2, 2, 4), (1, 4, 3, 3, 3), (3, 4, 2, 2, 5), (5, 2, 4, 3, 4), (4, 1, 5, 2, 6)],
+        *[(2, 4, 6, 3, 5), (5, 3, 3, 2, 3), (1, 5, 6, 3, 1), (4, 2, 4, 2, 2), (3, 5, 5, 3, 2)],
+    ]
+]
+shown = [
+    rf"\ddot x «+-acceleration_{item}[1]*»\dot x «+-acceleration_{item}[0]*»x = u" for item in "acd"
+] + [
+    r"z = «weight_b*»x + \dot x",
+    r"z = «weight_d*»x - \dot x",
+    r"(\lambda + «weight_b»)(\lambda + \gamma)",
+]
+(a0, a1), (c0, c1), (d0, d1) = acceleration_a, acceleration_c, acceleration_d
+a_control, c_control, d_control = [
+    sp.Matrix([[-first - b2, -second - b1]]) for first, second in [(a0, a1), (c0, c1), (d0, d1)]
+]
+a_correction = sp.Matrix([g1 + a1, g2 + a0 + a1 * (g1 + a1)]).expand()
+b_margins = mu <= weight_b
+b_correction = sp.Matrix([(g + a1 + weight_b) / weight_b, 0])
+c_correction = sp.Matrix([g1 + g2 + c0 + c1, g2 - g1 + c0 - c1]) / 2
+d_correction = sp.Matrix([weight_d * g1 + g2, weight_d * (g2 + d0)]) / weight_d**2
