@@ -275,7 +275,7 @@ def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_work
         "right",
         "wrong",
     )
-    assert (change["old_points"], change["new_points"], change["why"]) == (
+    assert (change["old_points"], change["new_points"], change["reason"]) == (
         2.0,
         0.0,
         "the problem or its checks changed",
@@ -345,7 +345,8 @@ def test_resubmission(course, here):
         and summary["assignments"]["hw1"]["dan"] == 10
     )
     assert {
-        (change["student"], change["answer"], change["why"]) for change in summary["changes"]["hw1"]
+        (change["student"], change["answer"], change["reason"])
+        for change in summary["changes"]["hw1"]
     } == {
         ("bob", "a_region", "another attempt counts"),
         ("bob", "b_region", "another attempt counts"),
@@ -367,7 +368,7 @@ def test_changed_points_are_a_change(course, here):
     grade(course)
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course)
-    assert {change["why"] for change in summary["changes"]["hw1"]} == {
+    assert {change["reason"] for change in summary["changes"]["hw1"]} == {
         "the assignment's points changed"
     }
     assert len(summary["changes"]["hw1"]) == 8 and summary["assignments"]["hw1"]["ann"] == 5
@@ -497,7 +498,7 @@ def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
     roster.write_text("Student,ID,SIS Login ID,Section\nBee,2,bob,A\n", encoding="utf-8")
     summary = grade(course, roster=roster, quiet=False)
     assert summary["assignments"]["hw1"] == {"ann": 10, "bob": 4.5, "cid": 0, "dan": 0}
-    assert {(c["student"], c["why"]) for c in summary["changes"]["hw1"]} == {
+    assert {(c["student"], c["reason"]) for c in summary["changes"]["hw1"]} == {
         ("bob", "lateness counts otherwise")
     }
     output = capsys.readouterr().err
@@ -620,7 +621,7 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     grade(course)
     write_assignment(course, 'problems = ["1.17"]\n')
     changes = grade(course, quiet=False)["changes"]["hw1"]
-    assert len(changes) == 5 + 3 and {change["why"] for change in changes} == {
+    assert len(changes) == 5 + 3 and {change["reason"] for change in changes} == {
         "the homework asks for it no longer"
     }
     assert (
@@ -631,7 +632,7 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     assert grade(course)["changes"]["hw1"] == []
     write_assignment(course, HOMEWORK)
     back = grade(course, quiet=False)["changes"]["hw1"]
-    assert len(back) == 5 + 3 and {change["why"] for change in back} == {
+    assert len(back) == 5 + 3 and {change["reason"] for change in back} == {
         "the homework asks for it again"
     }
     assert (
@@ -656,7 +657,7 @@ def test_points_by_hand_are_capped_at_what_the_answer_is_worth(course, here, cap
         for change in summary["changes"]["hw1"]
         if (change["student"], change["answer"]) == ("bob", "a_region")
     ]
-    assert (change["old_points"], change["new_points"], change["why"]) == (
+    assert (change["old_points"], change["new_points"], change["reason"]) == (
         2,
         1,
         "the assignment's points changed",

@@ -273,7 +273,7 @@ def test_changes_csv():
     )
     assert exporting.changes_csv([change]) == (
         '\ufeff"when","student","problem","answer","old verdict","new verdict","old points","new '
-        'points","why"\r\n'
+        'points","reason"\r\n'
         '"2026-10-02T10:00:00+03:00","ann","1.17","a_region","wrong","right","0.00","2.50","the '
         "problem or its checks "
         'changed"\r\n'

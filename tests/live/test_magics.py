@@ -149,7 +149,7 @@ def test_mistakes_have_a_counterexample(kernel):
         ("%poll a_region 3 4", "there are 4 answers here"),
         ("%poll", "name an answer; there is a_region"),
         ("%explore nothing", "there is no explorer nothing"),
-        ("%explore region_of_stability 1.15 a k1=99", "k1 = 99: it goes from -2 to 4 here"),
+        ("%explore region_of_stability 1.15 a k1=99", "k1: expected a number from -2 to 4, got 99"),
     ],
 )
 def test_bad_input_ends_in_one_line(kernel, line, message):

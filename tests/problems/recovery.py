@@ -52,6 +52,7 @@ EVALUABLE = {
     "extremum_motion": "the motion at its ends, which are given",
     "first_integral": "the derivative along the motions",
     "least_squares": "the sum of squares at the estimate",
+    "linearisation_matrices": "the matrix of the answer",
     "mechanical_equations": "the equations, solved for the accelerations",
     "observer_equations": "the derivative of the error",
     "observer_gain": "the characteristic polynomial of the errors",

@@ -64,7 +64,7 @@ def changes_csv(changes):
         "new verdict",
         "old points",
         "new points",
-        "why",
+        "reason",
     ]
     rows = [
         [

@@ -191,6 +191,8 @@ class Transfer:
             tuple(self.terminal),
             tuple(self.parameters),
             self.slowest,
+            self._units.cost,
+            self._constant,
         )
 
     def solvable(self, values):
