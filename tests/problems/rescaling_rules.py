@@ -130,7 +130,7 @@ RULES = {
     "motion_under_law": _several(lambda new: new.of_state),
     "optimal_costate": COSTATES,
     "optimal_law": CONTROL,
-    "optimal_cost": lambda new, answer, _: new.value(answer, new.cost) + new.constant,
+    "optimal_cost": lambda new, answer, _: _cost(new, answer),
     "optimal_duration": TIME,
     "optimal_range": UNCHANGED,
     "initial_arc_duration": _arc,
@@ -176,7 +176,7 @@ RULES = {
     "other_extremal_time": TIME,
     # the calculus of variations
     "extremum_motion": _times(lambda new: new.motion),
-    "extremum_value": lambda new, answer, _: new.value(answer, new.cost) + new.constant,
+    "extremum_value": lambda new, answer, _: _cost(new, answer),
     "extremum_exists": UNCHANGED,
     "stationary_duration": TIME,
     # quadratic costs
@@ -194,3 +194,10 @@ RULES = {
     "equilibrium_types": UNCHANGED,
     "saddle_slopes": _times(_slopes),
 }
+
+
+def _cost(new, answer):
+    """Return the cost in other units, with the constant that is added to it."""
+    if new.constant and sp.sympify(answer).has(sp.Float):
+        raise NoRule("to three digits, a decimal plus 1000 is another number")
+    return new.value(answer, new.cost) + new.constant

@@ -196,10 +196,11 @@ def _require_stationary(extended, best, y, u, units, uncertainty, location):
         return
     before, middle, after = (best.field(np.append(y, 0), u + side * step) for side in (-1, 0, 1))
     rate, curvature = (after - before) / (2 * step), after + before - 2 * middle
-    if np.abs(curvature).max() > 1e-2 * np.abs(after - before).max():
+    sizes = np.append(units, 1)
+    if (sizes * np.abs(curvature)).max() > 1e-2 * (sizes * np.abs(after - before)).max():
         return  # a corner, as of |u| at zero
     if not abs(extended @ rate) <= CONTROL_ACCURACY * np.abs(extended * rate).sum() + (
-        uncertainty + CONTROL_ACCURACY / 10 * np.append(units, 1)
+        uncertainty + CONTROL_ACCURACY / 10 * sizes
     ) @ np.abs(rate):
         raise Wrong(
             f"{location} dH/du is not zero with your costates, where the optimal control lies between "

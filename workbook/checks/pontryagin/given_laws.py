@@ -75,7 +75,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
     """
     names = [*unknown, *parameters]
     final_quantity = real_function([*problem.state, *names], [sp.sympify(quantity)])
-    for case, constants, state, size in _final_states(
+    for case, constants, state, sizes in _final_states(
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
@@ -83,6 +83,9 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
             final_quantity(*state, *constants, *case)[0],
             value_at(claim, values, str(quantity)),
         )
+        # how far relative errors of the states could move the quantity
+        shifted = [final_quantity(*y, *constants, *case)[0] for y in state + np.diag(1e-6 * sizes)]
+        size = abs(true) + 1e6 * sum(abs(value - true) for value in shifted)
         if not agree(claimed, true, claim, size, 10 * COMPUTED, uncertainty_at(claim, values)):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
@@ -123,7 +126,7 @@ class _Run:
 
 @functools.lru_cache(maxsize=32)
 def _final_states(problem, law, time, unknown, parameters):
-    """Return (case, constants, final state, size of the states) for each case of the parameters.
+    """Return (case, constants, final state, sizes of the states) for each case of the parameters.
 
     With these constants the conditions at the end hold.
     """
@@ -148,9 +151,7 @@ def _final_states(problem, law, time, unknown, parameters):
 
     def residual(candidates, candidate_cases):
         states = run(*candidates, *candidate_cases)[1]
-        return terminal_conditions(*states[-1], *candidates, *candidate_cases), np.abs(states).max(
-            axis=(0, 1)
-        )
+        return terminal_conditions(*states[-1], *candidates, *candidate_cases)
 
     converged, width = _newton(residual, points, point_cases, low, high), high - low
     solutions = []
@@ -162,7 +163,7 @@ def _final_states(problem, law, time, unknown, parameters):
         solutions.append(roots[:, 0])
     _, states, _ = run(*np.array(solutions).T, *cases)
     return [
-        (tuple(case), constants, states[-1, :, k], np.abs(states[:, :, k]).max())
+        (tuple(case), constants, states[-1, :, k], np.abs(states[:, :, k]).max(axis=0))
         for k, (case, constants) in enumerate(zip(cases.T, solutions))
     ]
 
@@ -176,17 +177,18 @@ def _newton(residual, points, cases, low, high):
             points,
             *(points + increment * np.eye(unknowns)[:, [j]] for j in range(unknowns)),
         ]
-        all_residuals, sizes = residual(np.hstack(shifted_points), np.tile(cases, unknowns + 1))
+        all_residuals = residual(np.hstack(shifted_points), np.tile(cases, unknowns + 1))
         residuals, *shifted_residuals = np.split(all_residuals, unknowns + 1, axis=1)
-        converged = np.abs(residuals).max(axis=0) <= CONVERGED * sizes[: points.shape[1]]
-        if converged.all():
-            break
         # unknown, condition, point
         slopes = np.array(
             [(shifted - residuals) / increment[j] for j, shifted in enumerate(shifted_residuals)]
         )
         for k in np.flatnonzero(~converged):
             step = np.linalg.lstsq(slopes[:, :, k].T, -residuals[:, k], rcond=None)[0]
+            # Conditions may have different units, the constants have the widths of their intervals.
+            converged[k] = np.all(np.abs(step) <= CONVERGED * width[:, 0])
             step = np.clip(step, -0.3 * width[:, 0], 0.3 * width[:, 0])
             points[:, k] = np.clip(points[:, k] + step, low[:, 0], high[:, 0])
+        if converged.all():
+            break
     return converged
