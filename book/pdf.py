@@ -207,17 +207,20 @@ class Document:
 
     def append(self, page, printed, chapter):
         """Append a page under its chapter's running head."""
-        first = len(self.writer.pages)
+        first, count = len(self.writer.pages), len(printed.pages)
+        # Space below the last line may take a sheet of its own.
+        while count > 1 and not printed.pages[count - 1].extract_text().strip():
+            count -= 1
         self.positions[page.name, page.part] = first, None
         for anchor, position in printed.named_destinations.items():
-            sheet = printed.get_destination_page_number(position)
+            sheet = min(printed.get_destination_page_number(position), count - 1)
             self.positions.setdefault(
                 (page.name, anchor.lstrip("/")), (first + sheet, position.top)
             )
-        self.writer.append(printed, import_outline=False)
+        self.writer.append(printed, pages=(0, count), import_outline=False)
         title = f"Solution of {page.title}" if page.part else page.title
-        self.heads += [(chapter, title if title != chapter else "")] * len(printed.pages)
-        self.links += [page] * len(printed.pages)
+        self.heads += [(chapter, title if title != chapter else "")] * count
+        self.links += [page] * count
 
     def bookmark(self, pages):
         """Make the titles of the pages bookmarks, each under the last one of a lower level."""

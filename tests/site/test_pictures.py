@@ -211,8 +211,10 @@ def test_indistinguishable_entries(tmp_path):
         assert len(entries) == 2 and len(indistinguishable(entries)) == pairs
 
 
-#: A path that is filled with white and has no line: the ground of a figure or of its axes.
-GROUND = re.compile(r'style="fill: #ffffff"/>')
+#: The ground of a figure or of its axes in white; labels may have one, which hides what is behind them.
+GROUND = re.compile(
+    r'<g id="(figure|axes)_\d+">\s*<g id="patch_\d+">\s*<path d="[^"]*"[^>]*style="fill: #ffffff"'
+)
 STYLE_SHEET = Path(__file__).resolve().parents[2] / "book" / "_static" / "workbook.css"
 
 
