@@ -181,6 +181,7 @@ shown = [
     f"$\\quad z = «linear_form({item}_output, x)»"
     for item in "abcdefgh"
 ]
+site_share = sp.Rational(3, 8)  # 8 of 24: that no system is observable holds in all rows
 
 
 def answers(A, H):

@@ -246,7 +246,7 @@ def test_three_rows_are_proved(number, folder):
         assert exercise.number == proof.name
         assert f'"{proof.name}"' in exercise.code("check")[0][1]
     # a third on average over all problems, of a single one a little more if many answers are yes or no
-    allowed = max(0.4, float(variants.names(0).get("site_share", 0)))
+    allowed = max(1 / 3, float(variants.names(0).get("site_share", 0)))
     assert sum(proof.site_share + proof.neighbour_share for proof in proofs) / 6 <= allowed
 
 
