@@ -1,7 +1,9 @@
 """Linear plants with a quadratic cost, solved by one linear solve, against other routes."""
 
 import itertools
+from dataclasses import replace
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -127,6 +129,86 @@ def test_uncontrollable_states_on_their_target():
     assert extremal.certificate().holds()
     with pytest.raises(Infeasible, match="does not depend on the control"):
         Problem(plant, {u: None}, {x: 1, y: R(1, 2)}, [x, y], running=u**2, duration=1).solve()
+
+
+RESONANT = {"dynamics": {x: u}, "controls": {u: None}, "running": u**2 - x**2}
+# x'' = -x: sin t, cos t or both keep the ends, and the second variation is zero along them.
+CONJUGATE = {
+    "both ends given": Problem(**RESONANT, initial={x: 1}, terminal=[x], duration=sp.pi),
+    "beyond the first": Problem(**RESONANT, initial={x: 1}, terminal=[x], duration=2 * sp.pi),
+    "free final state": Problem(**RESONANT, initial={x: 1}, duration=sp.pi / 2),
+    "free initial state": Problem(
+        **RESONANT, initial={x: None}, terminal=[x - 1], duration=sp.pi / 2
+    ),
+    "linear cost": Problem(
+        **RESONANT | {"running": u**2 - x**2 + x}, initial={x: 0}, terminal=[x], duration=sp.pi
+    ),
+    "constant of the plant": Problem(
+        **RESONANT | {"dynamics": {x: u + s, s: 0}, "running": u**2 - x**2 + s * x},
+        initial={x: 0, s: 1},
+        terminal=[x],
+        duration=sp.pi,
+    ),
+    "terminal cost": Problem({x: u}, {u: None}, {x: 1}, running=u**2, final=-(x**2), duration=1),
+    "other units": Problem(
+        {x: 1000 * u},
+        {u: None},
+        {x: 10**6},
+        [x],
+        running=10**3 * (10**6 * u**2 - x**2),
+        duration=sp.pi,
+    ),
+    "two states": Problem(
+        {x: u, y: v},
+        {u: None, v: None},
+        {x: 1, y: 1},
+        [x, y],
+        running=u**2 + v**2 - x**2 + y**2,
+        duration=sp.pi,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CONJUGATE)
+@pytest.mark.parametrize("maximise", [False, True])
+@pytest.mark.timeout(60)
+def test_conjugate_end_without_an_extremal(name, maximise):
+    problem = CONJUGATE[name]
+    if maximise:
+        problem = replace(problem, running=-problem.running, final=-problem.final, maximise=True)
+    with pytest.raises(Unbounded, match="conjugate point"):
+        problem.solve()
+
+
+def test_cost_falls_in_proportion_at_a_conjugate_end():
+    """x = 1 - t/pi + c sin t has the cost of a straight line less 2 c, whatever c."""
+    t, c = sp.symbols("t c", real=True)
+    path = 1 - t / sp.pi + c * sp.sin(t)
+    cost = sp.integrate(sp.expand(sp.diff(path, t) ** 2 - path**2), (t, 0, sp.pi))
+    assert sp.simplify(cost - (1 / sp.pi - sp.pi / 3 - 2 * c)) == 0
+
+
+@pytest.mark.parametrize("end, cost", [(-1, 0), (R(-1) - R(1, 10**90), 0)])
+def test_conjugate_end_with_a_family_of_extremals(end, cost):
+    """x = cos t + c sin t, all with the cost 0; an end that misses it by 1e-90 counts as this one."""
+    extremal = Problem(**RESONANT, initial={x: 1}, terminal=[x - end], duration=sp.pi).solve()
+    assert extremal.cost == pytest.approx(cost, abs=1e-10)
+    assert extremal.optimality.kind == "extremal" and "is zero in" in extremal.optimality.reason
+
+
+@pytest.mark.parametrize("duration", [R("3.14159"), np.pi, R("3.1416")])
+def test_duration_next_to_a_conjugate_end(duration):
+    """The cost is cot T; no sign is claimed for a second variation of about 1e-6."""
+    extremal = Problem(**RESONANT, initial={x: 1}, terminal=[x], duration=duration).solve()
+    with mpmath.workdps(40):
+        cost = float(
+            mpmath.cot(
+                mpmath.mpf(sp.Rational(extremal.problem.duration).p) / extremal.problem.duration.q
+            )
+        )
+    assert extremal.cost == pytest.approx(cost, rel=1e-12)
+    assert extremal.optimality.kind == "extremal" and extremal.certificate().holds()
+    assert "the only one; a better process is not excluded" in str(extremal.optimality)
 
 
 @pytest.mark.parametrize("duration", [1, R(31, 10), R(313, 100)])

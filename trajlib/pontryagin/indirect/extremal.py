@@ -251,7 +251,7 @@ class Extremal:
             "extremal",
             "the second variation is negative in some direction"
             if self._variation.sign < 0
-            else "the second variation vanishes in some direction",
+            else "the second variation is zero in some direction, to within its error",
         )
 
     @cached_property

@@ -17,17 +17,24 @@ are solved with as many digits as it takes until the rounded values no longer ch
 The cost need not be convex. It is a quadratic functional of the variation v of a process,
 J = J(extremal) + Q(v), Q being half the second variation: if Q is positive, the extremal is the
 only optimal process; if it is negative in one direction, the cost falls without bound along it.
+Where the linear equations have no solution, it falls without bound too (`conjugate_end`).
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import mpmath
 import numpy as np
 import sympy as sp
 
 from trajlib.pontryagin.indirect.assembly import extremal_of_shot
+from trajlib.pontryagin.indirect.conjugate_end import refuse_conjugate_end
 from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.flow import ArcFlow
+from trajlib.pontryagin.indirect.linear_boundary_problem import (
+    boundary_problem,
+    evaluated,
+    linear_equations,
+)
 from trajlib.pontryagin.indirect.newton import CANCELLING
 from trajlib.pontryagin.indirect.refinement import INTEGRATED, finer_steps, growth
 from trajlib.pontryagin.indirect.scaled_extremal import restore_units
@@ -48,40 +55,27 @@ PROOF = "a linear plant, and a quadratic cost whose second variation is positive
 SAMPLES = 16
 
 
-@dataclass(frozen=True)
-class _BoundaryProblem:
-    """z' = K z for z = (y, psi, 1, s), with `initial` z(0) = 0 and `final` z(T) + `normals` nu = 0.
-
-    SymPy matrices; s is the integral of 2 f_0 - d/dt psi^T y, and the control is `feedback` z.
-    `rows`: the terminal equations to which nu belongs, of which none follows from the others for
-    the states that can be reached. `terminal_cost` is phi_0 at zero, its gradient and its Hessian.
-    """
-
-    K: sp.Matrix
-    initial: sp.Matrix
-    final: sp.Matrix
-    normals: sp.Matrix
-    feedback: sp.Matrix
-    terminal_cost: tuple
-    rows: tuple[int, ...]
-
-
 def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     """Return the extremal of a linear-quadratic problem.
 
-    None for other problems, and where the linear equations have no unique solution or the sign of
-    the second variation is not clear of rounding errors. The target must not be infeasible
-    (`direct.infeasibility`). Raises `Unbounded` if the second variation is negative.
+    None for other problems, and where the linear equations have no unique solution. The target must
+    not be infeasible (`direct.infeasibility`). Raises `Unbounded` if the second variation is
+    negative, or if the linear equations have no solution (`conjugate_end`).
     """
     problem = numeric.problem
     unbounded = all(pair == (-sp.oo, sp.oo) for pair in problem.controls.values())
     duration = numeric.duration
     if duration is None or not unbounded or not _is_linear_quadratic(problem):
         return None
-    boundary = _boundary_problem(problem)
+    boundary = boundary_problem(problem)
     count = boundary and _segment_count(boundary.K, duration)
-    solution = count and _solution(boundary, problem.duration, SAMPLES * count)
+    if not count:
+        return None
+    solution = _solution(boundary, problem.duration, SAMPLES * count)
     if not solution:
+        # The direction in which the cost falls may violate an inequality.
+        if not problem.constrained:
+            refuse_conjugate_end(boundary, problem, SAMPLES * count)
         return None
     samples, nu, (cost,) = solution
     cost = float(-cost if problem.maximise else cost)
@@ -93,7 +87,7 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     )
     if scaling is None:
         extremal = _decided(_extremal(numeric, samples, multipliers), problem)
-        return extremal and replace(extremal, cost=cost)
+        return replace(extremal, cost=cost)
     states, terminal = (
         np.array(v, dtype=float) for v in (scaling.states, scaling.terminal[: numeric.m])
     )
@@ -101,7 +95,7 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     units = np.concatenate([states, unit / states, np.array(scaling.controls, dtype=float)])
     inner = NumericProblem(scaling.problem, scaling)
     extremal = _decided(_extremal(inner, samples / units, multipliers * terminal / unit), problem)
-    return extremal and replace(restore_units(scaling, extremal), cost=cost)
+    return replace(restore_units(scaling, extremal), cost=cost)
 
 
 def _is_linear_quadratic(problem):
@@ -122,9 +116,9 @@ def _gradient(problem):
 
 
 def _decided(extremal, problem):
-    """Return the extremal, proved optimal by its second variation where the cost is not convex.
+    """Return the extremal, proved optimal where the second variation is clearly positive.
 
-    None if its sign is not clear of rounding errors; `problem` is the one in the user's units.
+    `problem`: in the user's units. Raises `Unbounded` where it is clearly negative.
     """
     if sufficiency_theorem(problem) is not None:
         return extremal
@@ -138,7 +132,7 @@ def _decided(extremal, problem):
             "changes with the square of the distance. Check the sign of the cost, bound the controls, or "
             "choose a shorter duration."
         )
-    return replace(extremal, _proof=PROOF) if sign > 0 else None
+    return replace(extremal, _proof=PROOF) if sign > 0 else extremal
 
 
 def _extremal(numeric, samples, multipliers):
@@ -166,62 +160,7 @@ def _extremal(numeric, samples, multipliers):
         np.max(np.abs(flow.nodes(np.append(start, 0.0), 1.0, length, s)[-1, :-1] - end))
         for start, length, s, end in zip(shot.starts, shot.lengths, shot.steps, nodes[1:])
     )
-    return extremal_of_shot(numeric, shot, 1, 1)
-
-
-def _boundary_problem(problem):
-    """Return the `_BoundaryProblem`; None where R is not positive definite."""
-    y, u = list(problem.state), list(problem.control)
-    n, sign = len(y), -1 if problem.maximise else 1
-    zero = dict.fromkeys([*y, *u], 0)
-    field = sp.Matrix(problem.field)
-    A, B, c = field.jacobian(y), field.jacobian(u), field.subs(zero)
-    running, final = sign * problem.running, sign * problem.final
-    R = sp.hessian(running, u)
-    if not R.is_positive_definite:
-        return None
-    gradient = sp.Matrix([running]).jacobian([*y, *u]).T
-    Q, S = gradient[:n, :].jacobian(y), gradient[:n, :].jacobian(u)
-    q, r = gradient[:n, :].subs(zero), gradient[n:, :].subs(zero)
-    constant = sp.Matrix([2 * running.subs(zero)])
-    feedback = R.LUsolve(sp.Matrix.hstack(-S.T, B.T, -r))
-    K = sp.Matrix.vstack(
-        sp.Matrix.hstack(A, sp.zeros(n, n), c) + B * feedback,
-        sp.Matrix.hstack(Q, -A.T, q) + S * feedback,
-        sp.zeros(1, 2 * n + 1),
-        sp.Matrix.hstack(q.T, -c.T, constant) + r.T * feedback,
-    ).row_join(sp.zeros(2 * n + 2, 1))
-    initial = sp.zeros(n, 2 * n + 1)
-    for i, value in enumerate(problem.initial.values()):
-        initial[i, i if value is not None else n + i] = 1
-        initial[i, 2 * n] = 0 if value is None else -value
-    slope = sp.Matrix([final]).jacobian(y).T
-    ends = sp.Matrix.hstack(slope.jacobian(y), sp.eye(n), slope.subs(zero))
-    rows, normals = (), sp.zeros(n, 0)
-    if problem.terminal:
-        target = sp.Matrix(problem.terminal)
-        G = target.jacobian(y)
-        rows = _independent_rows(problem, G, A, B)
-        targets = sp.Matrix.hstack(G, sp.zeros(G.rows, n), target.subs(zero))
-        normals = sp.Matrix.vstack(sp.zeros(len(rows), len(rows)), G.extract(rows, range(n)).T)
-        ends = sp.Matrix.vstack(targets.extract(rows, range(2 * n + 1)), ends)
-    terminal_cost = final.subs(zero), slope.subs(zero), slope.jacobian(y)
-    return _BoundaryProblem(K, initial, ends, normals, feedback, terminal_cost, tuple(rows))
-
-
-def _independent_rows(problem, G, A, B):
-    """Return the rows of G that no other rows imply on the states that can be reached.
-
-    Their differences span the columns of B, A B, ..., and of A^j e_i for free initial states y_i.
-    """
-    n = len(problem.state)
-    free = [i for i, value in enumerate(problem.initial.values()) if value is None]
-    part = sp.Matrix.hstack(B, sp.eye(n).extract(range(n), free))
-    parts = [part]
-    for _ in range(n - 1):
-        part = A * part
-        parts.append(part)
-    return list((G * sp.Matrix.hstack(*parts)).T.rref()[1])
+    return extremal_of_shot(numeric, shot, 0, 1)
 
 
 def _segment_count(K, duration):
@@ -243,6 +182,8 @@ def _solution(boundary, duration, count):
     digits, previous = DIGITS, None
     while digits <= MAX_DIGITS:
         solution = _solved(boundary, duration, count, digits)
+        if solution is not None and not all(np.isfinite(a).all() for a in solution):
+            return None
         if solution is not None and previous is not None:
             differences = [np.max(np.abs(a - b), initial=0) for a, b in zip(solution, previous)]
             sizes = [np.max(np.abs(a), initial=0) for a in solution]
@@ -255,20 +196,8 @@ def _solution(boundary, duration, count):
 def _solved(boundary, duration, count, digits):
     """Return the solution with so many digits in the arithmetic, rounded; None if it fails."""
     with mpmath.workdps(digits):
-
-        def number(matrix):
-            return mpmath.matrix(matrix.evalf(digits).tolist())
-
-        m, unknown = boundary.normals.cols, boundary.final.cols - 1
-        step = mpmath.expm(number(boundary.K * duration / count), method="taylor")
-        start = number(boundary.initial)
-        end = number(boundary.final) * (step**count)[: unknown + 1, : unknown + 1]
-        matrix, right = mpmath.zeros(unknown + m), mpmath.zeros(unknown + m, 1)
-        for offset, block in ((0, start), (start.rows, end)):
-            rows = slice(offset, offset + block.rows)
-            matrix[rows, :unknown], right[rows, 0] = block[:, :unknown], -block[:, unknown]
-        if m:
-            matrix[start.rows :, unknown:] = number(boundary.normals)
+        unknown = boundary.final.cols - 1
+        step, matrix, right = linear_equations(boundary, duration, count)
         try:
             solution = mpmath.lu_solve(matrix, right)
         except ZeroDivisionError:
@@ -276,13 +205,13 @@ def _solved(boundary, duration, count, digits):
         path = [mpmath.matrix([*solution[:unknown], 1, 0])]
         for _ in range(count):
             path.append(step * path[-1])
-        feedback, n = number(boundary.feedback), unknown // 2
+        feedback, n = evaluated(boundary.feedback), unknown // 2
         rows = [[*z[:unknown], *(feedback * z[: unknown + 1])] for z in path]
         products = [mpmath.fdot(z[:n], z[n:unknown]) for z in (path[0], path[-1])]
         value, slope, curvature = boundary.terminal_cost
         y = path[-1][:n]
         cost = (products[1] - products[0] + path[-1][unknown + 1]) / 2 + value.evalf(digits)
-        cost += (y.T * (number(slope) + number(curvature) * y / 2))[0]
+        cost += (y.T * (evaluated(slope) + evaluated(curvature) * y / 2))[0]
         return (
             np.array(rows, dtype=float),
             np.array(list(solution[unknown:]), dtype=float),

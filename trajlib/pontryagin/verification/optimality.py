@@ -41,7 +41,8 @@ class Optimality:
     reason : str
         The theorem, or the sign of the second variation.
     starts : int
-        Number of starting guesses of the search.
+        Number of starting guesses of the search; 0 where linear equations have this as their only
+        solution.
     processes : int
         Number of different processes to which they led; this is the best.
     """
@@ -61,6 +62,8 @@ class Optimality:
         """In a few words: proved optimal, or the kind and the best of how many starts."""
         if self.proved:
             return "proved optimal"
+        if self.starts == 0:
+            return f"{self.kind}, the only one"
         if self.starts == 1:
             return f"{self.kind}, found from the start given"
         return f"{self.kind}, best of {self.starts} starts"
@@ -68,7 +71,9 @@ class Optimality:
     def __str__(self):
         if self.proved:
             return f"proved optimal: {self.reason}"
-        if self.starts == 1:
+        if self.starts == 0:
+            best = "the only one"
+        elif self.starts == 1:
             best = "the one found from the start given"
         else:
             best = f"the best of {self.processes}" if self.processes > 1 else "the only one"
