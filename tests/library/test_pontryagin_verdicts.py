@@ -55,6 +55,51 @@ def test_uncontrollable_modes_are_infeasible(problem, message):
         problem.solve()
 
 
+TURNED, TWO = {x: y * u, y: -x * u}, {u: (-1, 1), v: (-1, 1)}
+SPHERE = {x: y * u - y / 2, y: -x * u + x / 2 + z * v, z: -y * v}
+NORTH = {x: 1, y: 0, z: 0}
+
+
+@pytest.mark.parametrize("unit", [1, R(1, 10**6), 10**6])
+@pytest.mark.parametrize(
+    "plant, controls, start, target, message",
+    [
+        (TURNED, ONE, {x: 1, y: 0}, [x - 2, y], r"x\*\*2 \+ y\*\*2 = \S+ .* the target asks for"),
+        (TURNED, ONE, {x: 1, y: 0}, [x - 2], "asks for at least"),
+        (TURNED, ONE, {x: 1, y: 0}, [x + y - 2], "asks for at least"),
+        (TURNED, FREE, {x: 1, y: 0}, [x**2 + y**2 - 4], "first integral"),
+        ({x: u * x, y: -u * y}, FREE, {x: 1, y: 1}, [x - 2, y - 2], r"x\*y = "),
+        ({x: u, y: x * u}, ONE, {x: 0, y: 0}, [x - 1, y - 1], r"x\*\*2 - .*y.* = 0"),
+        ({x: u, y: x**2 * u}, ONE, {x: 0, y: 0}, [x - 1, y - 1], r"x\*\*3 - .*y.* = 0"),
+        (SPHERE, TWO, NORTH, [x, y - 1, z - 1], r"x\*\*2 \+ y\*\*2 \+ z\*\*2 = "),
+        # A linear plant with a target that is not.
+        ({x: y, y: -x, z: u}, ONE, {x: 0, y: 1, z: 0}, [x**2 + y**2 - 4, z - 1], "first integral"),
+        # The gradient has a function that is no polynomial.
+        ({x: u * sp.cos(x), y: x * u * sp.cos(x)}, ONE, {x: 0, y: 0}, [x - 1, y - 1], "y.* = 0"),
+        ({x: y, y: -u * sp.sin(x)}, ONE, {x: 0, y: 0}, [x - 1], "the initial state all right-hand"),
+    ],
+)  # fmt: skip
+@pytest.mark.timeout(60)
+def test_first_integrals_are_infeasible(plant, controls, start, target, message, unit):
+    table = {s: s / unit for s in plant}
+    problem = Problem(
+        {s: unit * f.subs(table, simultaneous=True) for s, f in plant.items()},
+        controls,
+        {s: unit * value for s, value in start.items()},
+        [sp.expand(unit * g.subs(table, simultaneous=True)) for g in target],
+    )
+    with pytest.raises(Infeasible, match=message):
+        problem.solve()
+
+
+@pytest.mark.parametrize("angle", [R(1, 3), 1.1, sp.pi / 5])
+def test_first_integrals_that_allow_the_target(angle):
+    """Also with coordinates of the target that are rounded."""
+    end = [sp.cos(angle), -sp.sin(angle)]
+    extremal = Problem(TURNED, ONE, {x: 1, y: 0}, [x - end[0], y - end[1]]).solve()
+    assert extremal.duration == pytest.approx(float(angle), rel=1e-9)
+
+
 def test_modes_that_reach_the_target():
     """The mode x - y is zero at both ends."""
     extremal = Problem(TWINS, ONE, {x: 1, y: 1}, [x, y]).solve()

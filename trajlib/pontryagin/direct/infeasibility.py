@@ -10,7 +10,8 @@
    hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that minimises it.
 
 Contradictory linear terminal equations are refused too. Angles count as vectors in discs
-(`angle_relaxation`): a plant that is linear in cos u and sin u is linear here.
+(`angle_relaxation`): a plant that is linear in cos u and sin u is linear here. Quantities of other
+plants that no control changes: `first_integrals`.
 """
 
 import numpy as np

@@ -13,6 +13,7 @@ import sympy as sp
 
 from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
+from trajlib.pontryagin.direct.first_integrals import refuse_first_integrals
 from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
     refuse_any_duration,
@@ -144,6 +145,7 @@ def solve(
     refuse_start_on_target(numeric)
     refuse_ends_beyond_constraints(numeric)
     refuse_infeasible(numeric)
+    refuse_first_integrals(numeric)
     refuse_any_duration(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:

@@ -1,0 +1,197 @@
+"""Polynomial first integrals: quantities of a nonlinear plant that no control changes.
+
+A polynomial p with dp/dy f(y, u) = 0 for all y and u keeps its initial value along every process. Its
+coefficients solve linear equations, one for each product of powers (of y, u and the functions that f
+contains) in dp/dy f. With the polynomials g of the target, let
+
+    sum w_j p_j + sum v_i g_i = r(y)
+
+hold on the states that satisfy the linear equations of the target. On the target this is sum w_j p_j(y(0)): if
+r is a constant, or a quadratic polynomial with a minimum or a maximum, and does not take this value,
+the target cannot be reached.
+
+An initial state at which f vanishes for every control is never left; this is checked as well.
+"""
+
+from itertools import combinations_with_replacement
+
+import numpy as np
+import sympy as sp
+
+from trajlib._lazy import casadi as ca
+from trajlib.pontryagin.problem.errors import Infeasible
+from trajlib.pontryagin.problem.numeric import NumericProblem
+
+# Highest degree of p, the first that leads to so few coefficients.
+DEGREES, MAX_COEFFICIENTS = (3, 2), 90
+# Relative size below which a combination of monomials counts as unchanged at random states, which
+# decides whether the exact equations are set up.
+UNCHANGED = 1e-10
+# Difference of values that counts as none, relative to the terms of which they are the sum.
+MARGIN = 1e-9
+
+
+def refuse_first_integrals(numeric: NumericProblem) -> None:
+    """Raise `Infeasible` if a polynomial first integral keeps every process off the target."""
+    problem = numeric.problem
+    if not problem.terminal or np.isnan(numeric.start).any():
+        return
+    _refuse_fixed_point(problem)
+    if _is_linear(problem):
+        return  # for which `infeasibility` and `free_motion` are complete
+    powers = _powers(numeric.n)
+    if powers is None or not _may_have_integrals(numeric, powers):
+        return
+    integrals = _first_integrals(problem, powers)
+    for p, value, r in _restricted(problem, integrals):
+        leading = sp.Poly(p, *problem.state).LC()
+        p, value, r = (sp.expand(e / leading) for e in (p, value, r))
+        low, high = _range(r)
+        margin = MARGIN * _size(p, _largest(problem))
+        if float(low) - margin <= float(value) <= float(high) + margin:
+            continue
+        asked = (
+            f"{sp.sstr(low)}"
+            if low == high
+            else f"at least {sp.sstr(low)}"
+            if low != -sp.oo
+            else f"at most {sp.sstr(high)}"
+        )
+        raise Infeasible(
+            f"no control leads to the target: {sp.sstr(p)} = {sp.sstr(value)} at all times, whatever the "
+            f"control (a first integral of the plant), and the target asks for {asked}. Choose an end "
+            "that keeps to this equation."
+        )
+
+
+def _refuse_fixed_point(problem):
+    """Raise `Infeasible` if no control moves the initial state, and it is not on the target."""
+    start = dict(problem.initial)
+    if any(sp.expand(f.subs(start)) != 0 for f in problem.field):
+        return
+    for g in problem.terminal:
+        if abs(float(g.subs(start))) > MARGIN * _size(g, start):
+            raise Infeasible(
+                "no control leads to the target: at the initial state all right-hand sides are zero "
+                f"whatever the control, so that it is never left, and {sp.sstr(g)} = 0 does not hold "
+                "there. Begin at another state."
+            )
+
+
+def _size(expression, values):
+    """Return the sum of the absolute values of the terms."""
+    terms = sp.Add.make_args(sp.expand(expression))
+    return sum(abs(float(term.subs(values))) for term in terms)
+
+
+def _largest(problem):
+    """Return for each state the larger absolute value of both ends, as far as they are given."""
+    result = {y: abs(value) for y, value in problem.initial.items()}
+    for y in problem.state:
+        ends = [v for g in problem.terminal for v in (y - g, y + g) if v.is_number]
+        result[y] = max([result[y], *map(abs, ends)])
+    return result
+
+
+def _is_linear(problem):
+    """Check for a linear plant with linear terminal equations."""
+    y, u = list(problem.state), list(problem.control)
+    slopes = sp.Matrix(problem.field).jacobian([*y, *u])
+    return not (slopes.free_symbols or sp.Matrix(problem.terminal).jacobian(y).free_symbols)
+
+
+def _powers(n):
+    """Return the powers of n states in all monomials up to a degree, (M, n); None for many states."""
+    for degree in DEGREES:
+        factors = [
+            indices
+            for d in range(1, degree + 1)
+            for indices in combinations_with_replacement(range(n), d)
+        ]
+        if len(factors) <= MAX_COEFFICIENTS:
+            return np.array([np.bincount(indices, minlength=n) for indices in factors])
+    return None
+
+
+def _may_have_integrals(numeric, powers):
+    """Check whether some combination of the monomials has no rate at random states and controls."""
+    random, count = np.random.default_rng(0), 2 * len(powers)
+    size = 1 + np.abs(numeric.start)[:, None]
+    states = numeric.start[:, None] + size * random.uniform(-1, 1, (numeric.n, count))
+    low, high = (
+        np.where(np.isfinite(bound), bound, default)[:, None]
+        for bound, default in ((numeric.lower, -1.0), (numeric.upper, 1.0))
+    )
+    controls = low + (high - low) * random.uniform(0, 1, (numeric.k, count))
+    field = ca.Function("field", [numeric.x, numeric.u], [numeric.field])
+    rates = field.map(count)(states, controls).full()
+    slopes = np.stack(
+        [
+            powers[:, i] * np.prod(states.T[:, None] ** np.maximum(powers - unit, 0), axis=2)
+            for i, unit in enumerate(np.eye(numeric.n))
+        ],
+        axis=2,
+    )
+    changes = np.einsum("kmi,ik->km", slopes, rates)
+    if not np.isfinite(changes).all():
+        return False
+    # A monomial may be a first integral itself: its size is that of the terms, not of their sum.
+    terms = np.einsum("kmi,ik->km", np.abs(slopes), np.abs(rates))
+    changes /= np.maximum(np.linalg.norm(terms, axis=0), 1e-300)
+    sizes = np.linalg.svd(changes, compute_uv=False)
+    return bool(sizes[-1] <= UNCHANGED * sizes[0])
+
+
+def _first_integrals(problem, powers):
+    """Return a basis of the combinations of the monomials whose rate is zero."""
+    monomials = [sp.prod(y ** int(d) for y, d in zip(problem.state, row)) for row in powers]
+    coefficients = sp.symbols(f"a0:{len(monomials)}", cls=sp.Dummy)
+    p = sum((a * m for a, m in zip(coefficients, monomials)), sp.Integer(0))
+    rate = sum((sp.diff(p, y) * f for y, f in zip(problem.state, problem.field)), sp.Integer(0))
+    numerator = sp.numer(sp.together(rate))
+    generators = [g for g in sp.Poly(numerator).gens if not g.free_symbols & set(coefficients)]
+    equations = sp.Poly(numerator, *generators).coeffs()
+    matrix, _ = sp.linear_eq_to_matrix(equations, coefficients)
+    return [(sp.Matrix([monomials]) * w)[0] for w in matrix.nullspace()]
+
+
+def _restricted(problem, integrals):
+    """Yield (p, p(y(0)), r): r is p on the target, in as few states as possible."""
+    y = problem.state
+    polynomials = [g for g in problem.terminal if g.is_polynomial(*y)]
+    linear = [g for g in polynomials if sp.Poly(g, *y).total_degree() == 1]
+    solution = next(iter(sp.solve(linear, y, dict=True)), {})
+    equations = [e for g in polynomials if (e := sp.expand(g.subs(solution))) != 0]
+    rests = [sp.expand(p.subs(solution)) for p in integrals]
+    values = [p.subs(problem.initial) for p in integrals]
+    yield from zip(integrals, values, rests)
+    # Combinations that are constant: the coefficients of all products of powers but 1 cancel.
+    columns = [sp.Poly(e, *y).as_dict() for e in (*rests, *equations)]
+    powers = sorted({power for column in columns for power in column if any(power)})
+    matrix = sp.Matrix(len(powers), len(columns), lambda i, j: columns[j].get(powers[i], 0))
+    for w in matrix.nullspace() if powers else []:
+        weights, others = list(w)[: len(rests)], list(w)[len(rests) :]
+        p, value, r = (
+            sum((a * e for a, e in zip(weights, terms)), sp.Integer(0))
+            for terms in (integrals, values, rests)
+        )
+        yield (
+            p,
+            value,
+            sp.expand(r + sum((a * e for a, e in zip(others, equations)), sp.Integer(0))),
+        )
+
+
+def _range(r):
+    """Return the least and the largest value of a polynomial, infinite where not decided."""
+    symbols = sorted(r.free_symbols, key=str)
+    if not symbols:
+        return r, r
+    hessian = sp.hessian(r, symbols)
+    if hessian.free_symbols or hessian.det() == 0:
+        return -sp.oo, sp.oo
+    slope = sp.Matrix([r]).jacobian(symbols).T
+    least = r.subs(dict(zip(symbols, -hessian.LUsolve(slope.subs(dict.fromkeys(symbols, 0))))))
+    if hessian.is_positive_definite:
+        return least, sp.oo
+    return (-sp.oo, least) if hessian.is_negative_definite else (-sp.oo, sp.oo)
