@@ -15,14 +15,14 @@ a_spectra = [
 ]
 # Is a negative trace enough? What is the sign of the determinant at each point? (hint 1)
 a_stable = a_equilibria
-# Have the two points changed places? Compare trace and determinant at each of them. (hint 1)
+# Were the two points swapped? Compare trace and determinant at each of them. (hint 1)
 a_stable = [point for point in a_equilibria if list(point) != list(a_stable[0])]
 # In which order are the coordinates asked for? (hint 2)
 b_equilibria = [[q, p] for p, q in b_equilibria]
-# Was a sign lost when one unknown was expressed by the other? Put the points into the linear
-# equation. (hint 1)
+# Was a sign lost when one unknown was eliminated? Substitute the points into the linear equation.
+# (hint 1)
 b_equilibria = [[p - 2 * b_shift, q] for p, q in b_equilibria]
-# Which sign has the derivative of the denominator $y^2 - x$ by $x$? (hint 1)
+# What is the sign of the derivative of the denominator $y^2 - x$ with respect to $x$? (hint 1)
 b_spectra = [[p, q, *sp.Matrix([[1, 2 * q], [1, -b_slope]]).eigenvals()] for p, q in b_equilibria]
 # Did the imaginary unit get lost under a root? Look at the discriminant once more. (hint 1)
 b_spectra = [[p, q, sp.re(v) + sp.im(v), sp.re(w) + sp.im(w)] for p, q, v, w in b_spectra]
@@ -31,7 +31,7 @@ b_stable = b_equilibria  # Is one negative eigenvalue enough? (hint 1)
 b_stable = []
 # Is the argument of the logarithm set to 1 here? The other side is not zero. (hint 2)
 c_equilibria = [[0, 0], [c_slope, c_slope**2]]
-# Did the roots of the quadratic get their signs turned? Test them in the equation. (hint 1)
+# Were the signs of the roots of the quadratic reversed? Test the roots in the equation. (hint 1)
 c_equilibria = [[-p, q] for p, q in c_equilibria]
 # Was the logarithm differentiated without dividing by its argument? (hint 1)
 c_spectra = [

@@ -1,22 +1,22 @@
 # %% wrong
 a_rest = [0, sp.pi]  # Are these all equilibria, or only those within one turn? (hint 2)
 a_rest = [2 * sp.pi * n]  # Can a pendulum be at rest in one kind of position only? (hint 2)
-# Does the sine vanish at all of these values, or were zeros of the cosine taken along? (hint 2)
+# Does the sine vanish at all of these values, or were zeros of the cosine included? (hint 2)
 a_rest = [sp.pi * n / 2]
 # Is the deviation equation the same at every equilibrium? (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-(omega**2), -delta]])]
-# Is there no restoring or driving force when the pendulum stands upright? Differentiate first,
-# then put the position in. (hint 1)
+# Is there no restoring or driving force when the pendulum stands upright? Differentiate first, then
+# substitute the position. (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-(omega**2), -delta]]), sp.Matrix([[0, 1], [0, -delta]])]
 a_stable = [sp.pi * n]  # Does friction make every equilibrium stable? (hint 2)
-a_stable = [2 * sp.pi * n + sp.pi]  # Have hanging and standing changed places here? (hint 2)
+a_stable = [2 * sp.pi * n + sp.pi]  # Were hanging and standing swapped here? (hint 2)
 a_unstable = [sp.pi]  # Are these all such positions, or only the one within a single turn?
-a_growth = omega  # Is this what comes out if friction is forgotten? (hint 1)
+a_growth = omega  # Is this the result without friction? (hint 1)
 # Which of the two roots makes a deviation grow? (hint 1)
 a_growth = (-delta - sp.sqrt(delta**2 + 4 * omega**2)) / 2
 # Does friction enter the characteristic equation with this sign? (hint 1)
 a_growth = (delta + sp.sqrt(delta**2 + 4 * omega**2)) / 2
-# Do the terms with the product $x_1 x_2$ really stay, once both rates are put in? (hint 1)
+# Do the terms with the product $x_1 x_2$ really remain after both rates are substituted? (hint 1)
 b_rate = omega**2 * x1 * x2 - delta * x2**2
 # Is the derivative of V negative definite? Find a state other than zero where it vanishes. (hint 1)
 b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))
@@ -24,7 +24,7 @@ b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))
 b_leave = sp.Integer(0)
 b_leave = omega**2 * x1  # In which direction does the restoring force pull? (hint 1)
 b_stable = delta >= 0  # Does a constant energy prove that motions come to rest? (hint 1)
-b_stable = delta < 0  # Was the derivative of V read without its minus? (hint 1)
+b_stable = delta < 0  # Was the minus sign of the derivative of V overlooked? (hint 1)
 
 # %% right
 a_rest = sp.pi * n  # all positions in one expression

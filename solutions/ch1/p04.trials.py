@@ -1,7 +1,7 @@
 # %% wrong
 # Was the sign kept when the bracket was multiplied out? (hint 2)
 a_matrix = sp.Matrix([[0, 1], [-1, -epsilon]])
-# Is this a damped oscillator? Ask which sign the friction has near zero. (hint 1)
+# Is this a damped oscillator? What is the sign of the friction near zero? (hint 1)
 a_stable = epsilon > 0
 # Do imaginary roots make the linearisation asymptotically stable? (hint 1)
 a_stable = epsilon <= 0
@@ -10,15 +10,14 @@ a_unstable = epsilon >= 0  # Is everything unstable that is not asymptotically s
 a_critical = "asymptotically stable"
 # Was a factor lost in the derivative of the kinetic part? (hint 1)
 b_rate = -epsilon * (x1**2 - 1) * x2
-# Which sign has the term with $\varepsilon$ once it stands on the right-hand side? (hint 1)
+# What is the sign of the term with $\varepsilon$ on the right-hand side? (hint 1)
 b_rate = epsilon * (x1**2 - 1) * x2**2
 b_null = sp.Eq(x2, 0)  # Does this product have another factor that can vanish? (hint 1)
 # Is a derivative of V that vanishes everywhere a proof of asymptotic stability? (hint 1)
 b_stable = epsilon <= 0
 # Do all motions in this strip stay in it? The set has to be bounded by a level of V. (hint 2)
 b_basin = sp.Abs(x1) < 1
-# Is this disc the one of the level $V = 1$? Does it lie inside the strip where V does not grow?
-# (hint 2)
+# Is this the disc $V < 1$? Does it lie inside the strip where V does not grow? (hint 2)
 b_basin = x1**2 + x2**2 < 2
 
 # %% right

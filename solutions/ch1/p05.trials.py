@@ -1,5 +1,5 @@
 # %% wrong
-# Did the Coriolis terms of the first two equations change places?
+# Were the Coriolis terms of the first two equations swapped?
 a_matrix = sp.Matrix(
     [
         [0, 0, 0, 1, 0, 0],
@@ -21,12 +21,12 @@ a_matrix = sp.Matrix(
         [0, 0, 0, 0, -(Omega**2), 0],
     ]
 )
-# Has a double eigenvalue always two independent eigenvectors? (hint 2)
+# Does a double eigenvalue always have two independent eigenvectors? (hint 2)
 a_eigenvalues = [[0, 2, 2], [sp.I * Omega, 2, 2], [-sp.I * Omega, 2, 2]]
-# Has every double eigenvalue only one eigenvector? The motion across the plane is separate. (hint
-# 1)
+# Does every double eigenvalue have only one eigenvector? The motion across the plane is decoupled.
+# (hint 1)
 a_eigenvalues = [[0, 2, 1], [sp.I * Omega, 2, 1], [-sp.I * Omega, 2, 1]]
-# Was the Coriolis coupling forgotten, so that the height moves alone?
+# Was the Coriolis coupling forgotten, so that the height is decoupled?
 a_eigenvalues = [
     [0, 2, 1],
     [sp.sqrt(3) * Omega, 1, 1],
@@ -49,10 +49,10 @@ a_growing = sp.Matrix(
 )
 # Does the second equation allow this drift at height zero? (hint 2)
 a_growing = sp.Matrix([h / r0 * Omega * t, 0, 0, h / r0 * Omega, 0, 0])
-# Is it enough that no root lies on the right? Ask whether the eigenvalues on the axis are
+# Is it enough that no root lies on the right? Check whether the eigenvalues on the axis are
 # semisimple. (hint 1)
 a_stability = "stable"
-# Was another coordinate struck out than the one asked for? (hint 1)
+# Was the wrong coordinate struck out? (hint 1)
 b_matrix = sp.Matrix(
     [
         [0, 0, 0, 1, 0],
@@ -62,17 +62,17 @@ b_matrix = sp.Matrix(
         [0, -(Omega**2), 0, 0, 0],
     ]
 )
-# Is this the spectrum of the full system? What leaves with $x_1$? (hint 1)
+# Is this the spectrum of the full system? Which eigenvalue is removed with $x_1$? (hint 1)
 b_eigenvalues = [[0, 2, 1], [sp.I * Omega, 2, 2], [-sp.I * Omega, 2, 2]]
-# Do both zero eigenvalues leave with $x_1$? (hint 1)
+# Are both zero eigenvalues removed with $x_1$? (hint 1)
 b_eigenvalues = [[sp.I * Omega, 2, 2], [-sp.I * Omega, 2, 2]]
 # Is this form positive in every direction, or is there one along which it is zero? (hint 1)
 b_integral = v2**2 + (3 * Omega * x2 + 2 * r0 * y1) ** 2 + v3**2 + Omega**2 * x3**2
-# About which height does the satellite swing? Which combination keeps its value? (hint 2)
+# About which height does the satellite swing? Which combination is constant? (hint 2)
 b_integral = v2**2 + Omega**2 * x2**2 + r0**2 * y1**2 + v3**2 + Omega**2 * x3**2
-# This keeps its value, but is it positive definite?
+# This is constant, but is it positive definite?
 b_integral = v2**2 + r0**2 * y1**2 - 3 * Omega**2 * x2**2 + v3**2 + Omega**2 * x3**2
-b_stability = "asymptotically stable"  # Do bounded motions have to tend to zero? (hint 1)
+b_stability = "asymptotically stable"  # Must bounded motions tend to zero? (hint 1)
 
 # %% right
 # in another order, as tuples

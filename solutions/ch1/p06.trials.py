@@ -3,33 +3,32 @@
 a_exists = k >= -sp.Rational(3, 2)
 # Is there no stationary solution where the two families meet? (hint 1)
 a_exists = k > -sp.Rational(3, 4)
-# Is the main value of the arcsine the only angle with this sine? (hint 2)
+# Is the principal value of the arcsine the only angle with this sine? (hint 2)
 a_stationary = [sp.asin(4 * k / 3) / 2 + sp.pi * n]
 # Is it the sine of the angle itself that the equation fixes? (hint 1)
 a_stationary = [sp.asin(4 * k / 3) + 2 * sp.pi * n, sp.pi - sp.asin(4 * k / 3) + 2 * sp.pi * n]
-# After how much does the double angle repeat, and what does this mean for the angle itself? (hint
-# 1)
+# What is the period of the double angle, and what does this mean for the angle itself? (hint 1)
 a_stationary = [
     sp.asin(4 * k / 3) / 2 + 2 * sp.pi * n,
     sp.pi / 2 - sp.asin(4 * k / 3) / 2 + 2 * sp.pi * n,
 ]
 # Was the inner derivative of the sine of the double angle lost? (hint 1)
 a_deviation = -2 * k * Omega * dpsi + sp.Rational(3, 2) * Omega**2 * sp.cos(2 * phi0) * psi
-# Does a constant moment belong into a deviation equation? (hint 1)
+# Does a constant moment appear in a deviation equation? (hint 1)
 a_deviation = -2 * k * Omega * dpsi + 3 * Omega**2 * sp.cos(2 * phi0) * psi - 2 * k * Omega**2
-a_saddle = sp.cos(2 * phi0) < 0  # Has the restoring term the sign it has for a pendulum? (hint 1)
+a_saddle = sp.cos(2 * phi0) < 0  # Is the sign of the restoring term that of a pendulum? (hint 1)
 a_saddle = sp.sin(2 * phi0) < 0  # Is every unstable angle a saddle? (hint 1)
 # Are the roots complex right up to the border of existence? (hint 1)
 a_foci = k > -sp.Rational(3, 4)
 a_foci = 4 * k**4 + 16 * k**2 < 9  # Was the inner derivative lost in the discriminant? (hint 1)
-# Which sign has the friction here? Remember the sign of k. (hint 1)
+# What is the sign of the friction here? Remember the sign of k. (hint 1)
 a_stable = [sp.pi / 2 - sp.asin(4 * k / 3) / 2 + sp.pi * n]
 # Is this the friction of item a? (hint 1)
 b_deviation = -2 * k * Omega * dpsi + 3 * Omega**2 * sp.cos(2 * phi0) * psi
 # Was the restoring term written down with the sign it has for a pendulum?
 b_deviation = -2 * k1 * Omega * dpsi - 3 * Omega**2 * sp.cos(2 * phi0) * psi
 b_stable = [sp.asin(4 * k / 3) / 2 + sp.pi * n]  # Is this the family of the saddles? (hint 2)
-# Is the opposite direction left out? The double angle repeats sooner. (hint 2)
+# Is the opposite direction left out? The double angle has a shorter period. (hint 2)
 b_stable = [sp.pi / 2 - sp.asin(4 * k / 3) / 2 + 2 * sp.pi * n]
 # Are all of them unstable here too, as in item a? (hint 1)
 b_unstable = [sp.asin(4 * k / 3) / 2 + sp.pi * n, sp.pi / 2 - sp.asin(4 * k / 3) / 2 + sp.pi * n]
@@ -37,7 +36,7 @@ b_unstable = [sp.pi / 2 - sp.asin(4 * k / 3) / 2 + sp.pi * n]  # Is this the oth
 b_sign = sp.cos(2 * phi0) <= 0  # Is there no root at zero where the two families meet? (hint 1)
 # Is it the cosine of the angle itself that decides, or that of the double angle? (hint 1)
 b_sign = sp.cos(phi0) < 0
-b_saddle = sp.cos(2 * phi0) < 0  # Have the signs changed places? (hint 1)
+b_saddle = sp.cos(2 * phi0) < 0  # Were the signs swapped? (hint 1)
 # Is the point where the families meet still a saddle? One root vanishes there. (hint 1)
 b_saddle = sp.cos(2 * phi0) >= 0
 # Is this the condition for foci? (hint 1)

@@ -1,11 +1,11 @@
 # %% wrong
 # Does an aircraft without an engine climb? Look at the sign of the sine. (hint 1)
 point = [sp.atan(k / k1), sp.sqrt(g) / (k**2 + k1**2) ** sp.Rational(1, 4)]
-# Did lift and drag change places? (hint 2)
+# Were lift and drag swapped? (hint 2)
 point = [-sp.atan(k1 / k), sp.sqrt(g) / (k**2 + k1**2) ** sp.Rational(1, 4)]
 # Which power of the speed does the sum of the squares give? (hint 2)
 point = [-sp.atan(k / k1), sp.sqrt(g) / sp.sqrt(k**2 + k1**2)]
-# The rate of the angle holds v twice. Do the two parts of its derivative add or cancel? (hint 2)
+# The rate of the angle contains v twice. Do the two parts of its derivative add or cancel? (hint 2)
 matrix = sp.Matrix([[-k * v, 0], [-k1 * v**2, -2 * k * v]]).subs(
     v, sp.sqrt(g) / (k**2 + k1**2) ** sp.Rational(1, 4)
 )
@@ -13,8 +13,9 @@ matrix = sp.Matrix([[-k * v, 0], [-k1 * v**2, -2 * k * v]]).subs(
 matrix = sp.Matrix([[-2 * k * v, -k1 * v**2], [2 * k1, -k * v]]).subs(
     v, sp.sqrt(g) / (k**2 + k1**2) ** sp.Rational(1, 4)
 )
-stability = "stable"  # Is this said of the flight without drag? (hint 1)
-# Was the trace compared with the determinant instead of its fourfold? (hint 1)
+stability = "stable"  # Is this true of the flight without drag? (hint 1)
+# Was the squared trace compared with the determinant instead of four times the determinant? (hint
+# 1)
 focus = 9 * k**2 < 2 * (k**2 + k1**2)
 focus = k < 8 * k1  # Was a root forgotten? The discriminant compares squares. (hint 1)
 node = k**2 < 8 * k1**2  # Is this the condition for the other type of point? (hint 1)
@@ -28,11 +29,11 @@ speed_curve = -g * sp.sin(theta) / k  # Was the square root forgotten? (hint 1)
 no_cycles = [sp.Integer(1), g * sp.sin(theta) / v - 2 * k * v]
 # Was the multiplier differentiated as well? (hint 2)
 no_cycles = [v, v * (g * sp.sin(theta) / v - 2 * k * v)]
-integral = v**2 / 2  # Does the speed alone keep its energy? What about the height? (hint 1)
-# Was the multiplier left out, so that a square stands where a cube belongs? (hint 1)
+integral = v**2 / 2  # Is the kinetic energy conserved by itself? What about the height? (hint 1)
+# Was the multiplier left out, so that a square appears instead of a cube? (hint 1)
 integral = k1 * v**2 / 2 - g * sp.cos(theta) * sp.log(v)
 integral = g / k1  # Does a constant distinguish one motion from another? (hint 2)
-# Is this the curve where the angle rests? It is no motion. (hint 1)
+# Is this the curve where the angle is constant? It is not a motion. (hint 1)
 border = sp.sqrt(g * sp.cos(theta) / k1)
 border = 3 * sp.sqrt(g * sp.cos(theta) / k1)  # Does this factor belong inside the root? (hint 2)
 

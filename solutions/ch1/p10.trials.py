@@ -1,7 +1,7 @@
 # %% wrong
-# Does the robot keep its speed without any voltage? The problem book prints it so. (hint 2)
+# Does the robot keep its speed without any voltage, as the problem book assumes? (hint 2)
 a_program = {"x": V0 * t, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": 0, "u_D": 0}
-# Is the place on the track constant while the robot moves? (hint 1)
+# Is the position on the track constant while the robot moves? (hint 1)
 a_program = {"x": 0, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": V0, "u_D": 0}
 # Is the term $V \sin\alpha$ small of second order? The program speed is not zero. (hint 2)
 a_matrix = sp.Matrix(
@@ -13,11 +13,11 @@ a_matrix = sp.Matrix(
         [0, 0, 0, 0, -k3 * (1 + k2 * V0 / k1)],
     ]
 )
-# Was the program speed put in, or is this the linearisation about rest? (hint 1)
+# Was the program speed substituted, or is this the linearisation about rest? (hint 1)
 a_matrix = sp.Matrix(
     [[0, 0, 0, 1, 0], [0, 0, V0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0], [0, 0, 0, 0, -k3]]
 )
-# Was the square of $\omega$ taken along as if it were linear? (hint 1)
+# Was the square of $\omega$ treated as a linear term? (hint 1)
 a_matrix = sp.Matrix(
     [
         [0, 0, 0, 1, 0],
@@ -27,28 +27,28 @@ a_matrix = sp.Matrix(
         [0, 0, 0, 0, -k3 * (1 + k2 * V0 / k1)],
     ]
 )
-# Did the two columns change places? Which control stands first? (hint 1)
+# Were the two columns swapped? Which control comes first? (hint 1)
 a_inputs = sp.Matrix([[0, 0], [0, 0], [0, 0], [0, 1], [k3 / k1, 0]])
-# Did the coefficient of a control get lost? (hint 1)
+# Was the coefficient of a control lost? (hint 1)
 a_inputs = sp.Matrix([[0, 0], [0, 0], [0, 0], [1, 0], [0, 1]])
-# The subsystem is of order two: does it hold only the speed? (hint 1)
+# The subsystem is of order two: does it contain only the speed? (hint 1)
 b_eigenvalues = [[-1, 2, 1]]
 # Does the deviation of the speed grow or decay? (hint 1)
 b_eigenvalues = [[0, 1, 1], [1, 1, 1]]
-b_limit = sp.Matrix([0, 0])  # Does the place on the track return after a disturbance? (hint 2)
-# Which way does the robot cover while its speed recovers? (hint 1)
+b_limit = sp.Matrix([0, 0])  # Does the position on the track recover after a disturbance? (hint 2)
+# What distance does the robot cover while its speed recovers? (hint 1)
 b_limit = sp.Matrix([dx0, 0])
-b_stability = "asymptotically stable"  # The speed recovers, but does the place? (hint 1)
+b_stability = "asymptotically stable"  # The speed recovers, but does the position? (hint 1)
 b_stability = "unstable"  # Does a zero eigenvalue always mean instability? (hint 1)
-# How many independent eigenvectors has the double eigenvalue? (hint 2)
+# How many independent eigenvectors does the double eigenvalue have? (hint 2)
 c_eigenvalues = [[0, 2, 2], [-k3 * (1 + k2 * V0 / k1), 1, 1]]
-# Did the eigenvalue get the wrong sign? (hint 1)
+# Does the eigenvalue have the wrong sign? (hint 1)
 c_eigenvalues = [[0, 2, 1], [k3 * (1 + k2 * V0 / k1), 1, 1]]
 # Does the equation for $\omega$ allow the robot to keep turning? (hint 1)
 c_growing = sp.Matrix([V0 * alpha0 * t**2 / 2, alpha0 * t, alpha0])
 c_growing = sp.Matrix([alpha0, 0, 0])  # Does a mere displacement grow? (hint 1)
 c_stability = "stable"  # Is it enough that no eigenvalue lies on the right? (hint 1)
-# Does this take for granted where the centre of mass lies? (hint 1)
+# Does this assume a position of the centre of mass? (hint 1)
 c_heading = sp.And(k1 > 0, k3 > 0)
 # Is the subsystem still stable where the two eigenvalues meet at zero? (hint 1)
 c_heading = k1 + k2 * V0 >= 0

@@ -2,15 +2,15 @@
 # Can the distance be positive with an angle of this sign? (hint 1)
 plus_point = [sp.sqrt(1 - b**2) / ubar, sp.acos(b)]
 plus_point = [(1 - b) / ubar, -sp.acos(b)]  # How does the sine follow from the cosine? (hint 1)
-# Can a distance be negative? Ask for the sign of the angle instead. (hint 1)
+# Can a distance be negative? Determine the sign of the angle instead. (hint 1)
 minus_point = [-sp.sqrt(1 - b**2) / ubar, -sp.acos(b)]
 # Is this the stationary solution for the other control? (hint 2)
 minus_point = [sp.sqrt(1 - b**2) / ubar, -sp.acos(b)]
-# Which sign has the derivative of the cosine? (hint 2)
+# What is the sign of the derivative of the cosine? (hint 2)
 plus_matrix = sp.Matrix(
     [[0, sp.sqrt(1 - b**2)], [ubar**2 / sp.sqrt(1 - b**2), b * ubar / sp.sqrt(1 - b**2)]]
 )
-# Was $\sin\beta/\rho$ differentiated by the angle too? (hint 2)
+# Was $\sin\beta/\rho$ differentiated with respect to the angle too? (hint 2)
 plus_matrix = sp.Matrix([[0, -sp.sqrt(1 - b**2)], [ubar**2 / sp.sqrt(1 - b**2), 0]])
 # Does the trace change its sign together with the control? (hint 1)
 minus_matrix = sp.Matrix(
@@ -22,11 +22,11 @@ minus_matrix = sp.Matrix(
 )
 # Is the motion near the point a pure rotation? Look at the trace. (hint 1)
 stability = "stable"
-stability = "asymptotically stable"  # Did the trace get the wrong sign? (hint 1)
+stability = "asymptotically stable"  # Does the trace have the wrong sign? (hint 1)
 focus = b < 1 / sp.sqrt(2)  # Was the factor 4 in the discriminant forgotten? (hint 1)
 focus = b < 1  # Are the roots complex for every ratio of the speeds? (hint 1)
 node = b < 2 / sp.sqrt(5)  # Is this the condition for the other type of point? (hint 1)
-# Was the root taken at the end? The condition is about b, not about its square.
+# Was the root taken at the end? The condition is on b, not on its square.
 node = b > sp.Rational(4, 5)
 # Does this divergence keep its sign? Without a multiplier no conclusion follows. (hint 1)
 no_cycles = [sp.Integer(1), sp.cos(beta) / rho]

@@ -1,16 +1,16 @@
 # %% wrong
 cycle = u >= shift  # Is a circle of radius zero a closed trajectory? (hint 1)
 cycle = u > 0  # Does any positive control give a real radius? (hint 1)
-cycle = u > -shift  # Did the shift get the wrong sign in the equation for r? (hint 1)
+cycle = u > -shift  # Does the shift have the wrong sign in the equation for r? (hint 1)
 amplitude = amplitude**2  # Was the root taken at the end? (hint 1)
-# Did the shift get the wrong sign in the equation for r? (hint 1)
+# Does the shift have the wrong sign in the equation for r? (hint 1)
 amplitude = sp.sqrt((u + shift) / cubic)
 period = 2 * sp.pi / amplitude  # Was the constant part of the angular rate forgotten? (hint 1)
 period = 2 * sp.pi / turn  # Does the rate of the angle depend on the radius? (hint 1)
 # Was the equation linearised at rest instead of on the cycle? (hint 1)
 deviation = u - shift
-deviation = sp.Integer(0)  # Was the cube differentiated with its factor? (hint 1)
-stability = "unstable"  # Is this said of the equilibrium instead of the cycle? (hint 1)
+deviation = sp.Integer(0)  # Was the factor 3 lost in the derivative of the cube? (hint 1)
+stability = "unstable"  # Is this true of the equilibrium instead of the cycle? (hint 1)
 stability = "stable"  # Does this hold for the phase, and not for the radius? (hint 1)
 
 # %% right

@@ -20,22 +20,22 @@ a_slope = sp.exp(-2)  # Is this the factor for a unit of time instead of a turn?
 a_slope = -2
 b_polar = [-r * (r**2 - 1), -1]  # Are these the rates of system a? (hint 1)
 b_polar = [r * (r**2 - 1), 1]  # Was time reversed for the rotation too? (hint 1)
-# Was the sign before the bracket taken for that of the linear term? (hint 1)
+# Was the sign in front of the bracket mistaken for that of the linear term? (hint 1)
 b_origin = "unstable"
 b_cycles = []  # Is an unstable cycle no cycle? (hint 1)
 # That motions inside do not cross the cycle holds for any cycle. Do they come closer? (hint 1)
 b_kind = "stable"
 b_slope = sp.exp(-4 * sp.pi)  # Is this the slope of system a? (hint 1)
 b_slope = sp.exp(2)  # Does a turn take one unit of time? (hint 1)
-c_polar = [-r * (r**2 - 1), -1]  # Did the square of the bracket get lost? (hint 1)
+c_polar = [-r * (r**2 - 1), -1]  # Was the square of the bracket lost? (hint 1)
 c_polar = [-((r * (r**2 - 1)) ** 2), -1]  # Does the square belong to the factor r as well? (hint 1)
 c_origin = "unstable"  # Was the square of -1 forgotten? (hint 1)
 c_cycles = [1, -1]  # Does a double zero make two cycles? (hint 1)
-c_cycles = []  # Is a cycle only there where the rate of r changes its sign? (hint 1)
-c_kind = "stable"  # Were only the motions outside looked at? (hint 1)
-c_kind = "unstable"  # Were only the motions inside looked at? (hint 1)
+c_cycles = []  # Does a cycle exist only where the rate of r changes its sign? (hint 1)
+c_kind = "stable"  # Were only the motions outside considered? (hint 1)
+c_kind = "unstable"  # Were only the motions inside considered? (hint 1)
 c_slope = 0  # Is this the exponent instead of its exponential? (hint 1)
-# Which derivative of $\dot r$ belongs into the exponent, the first or the second one? (hint 1)
+# Which derivative of $\dot r$ belongs in the exponent, the first or the second one? (hint 1)
 c_slope = sp.exp(-16 * sp.pi)
 
 # %% right

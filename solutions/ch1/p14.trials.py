@@ -1,6 +1,6 @@
 # %% wrong
 a_gains = k > 0  # Does the equation have a spring of its own? (hint 1)
-# Did the control get the wrong sign when it was moved to the other side? (hint 1)
+# Does the control have the wrong sign after it was moved to the other side? (hint 1)
 a_gains = k < stiffness
 # Does a root at zero leave the zero solution asymptotically stable? (hint 2)
 a_gains = k >= -stiffness
@@ -8,11 +8,11 @@ b_gains = k > 0  # Does the equation have friction of its own? (hint 1)
 # Do imaginary roots leave the zero solution asymptotically stable? (hint 1)
 b_gains = k >= -damping
 b_gains = (k + damping) / 2 >= sp.sqrt(mass * stiffness)  # Must the roots be real?
-# Is it enough that the order is kept? Divide by the leading coefficient. (hint 1)
+# Is it enough that the order does not drop? Divide by the leading coefficient. (hint 1)
 c_gains = sp.Ne(k, -mass)
 # Are complex roots forbidden?
 c_gains = sp.And(k > -mass, k <= sp.Rational(damping**2, 4 * stiffness) - mass)
-# Was the inequality multiplied by k without asking for its sign? (hint 1)
+# Was the inequality multiplied by k without regard to its sign? (hint 1)
 d_gains = sp.Ne(k, 0)
 # Must the roots be real?
 d_gains = sp.And(k > 0, k <= sp.Rational(damping**2, 4 * stiffness))

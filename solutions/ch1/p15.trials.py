@@ -1,15 +1,14 @@
 # %% wrong
-# Are positive coefficients enough for a cubic? Which minor was not looked at? (hint 1)
+# Are positive coefficients enough for a cubic? Which minor was not considered? (hint 1)
 a_region = sp.And(k1 > 0, k2 > 0)
 # Is this the sign of one minor alone? Try a point where both parameters are negative. (hint 2)
 a_region = k1 * k2 > p_a
 # Does a pair of imaginary roots on the border still make the zero solution asymptotically stable?
 # (hint 2)
 a_region = sp.And(k1 > 0, k1 * k2 >= p_a)
-# Did the second minor get its sign the wrong way round? Try one point of your region by its roots.
-# (hint 1)
+# Does the second minor have the wrong sign? Compute the roots at one point of your region. (hint 1)
 b_region = sp.And(k2 > 0, p_b * k1 < k2)
-# Was the inequality multiplied by a parameter without asking for its sign? (hint 1)
+# Was the inequality multiplied by a parameter without regard to its sign? (hint 1)
 c_region = sp.And(k2 > 0, k1 * k2 < p_c)
 # Was the criterion for the leading coefficient 1 used without dividing the equation first? (hint 1)
 d_region = sp.And(k1 > 0, k2 > p_d)

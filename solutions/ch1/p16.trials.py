@@ -1,13 +1,13 @@
 # %% wrong
 # Is this plain asymptotic stability, with the margin forgotten? (hint 1)
 a_region = sp.And(k1 < -diagonal, k2 < diagonal * k1)
-# Were the roots moved to the wrong side? (hint 1)
+# Were the roots shifted to the wrong side? (hint 1)
 m, d = margin, diagonal
 a_region = sp.And(k1 <= 2 * m - d, k2 <= (k1 - m) * (d - m))
 # By how much does the trace of a matrix of order two change with the shift? (hint 1)
 m, d = margin, diagonal
 a_region = sp.And(k1 <= -d - m, k2 <= (d + m) * (k1 + m))
-# Did the determinant get its sign turned? (hint 1)
+# Was the sign of the determinant reversed? (hint 1)
 m = margin
 b_region = sp.And(k1 <= -2 * m, k2 >= m * (k1 + m) / factor)
 # Was the matrix itself compared with the margin, instead of the shifted one? (hint 1)
@@ -27,12 +27,12 @@ e_region = sp.And(k1 > -1, k1 + k2 > 0)
 e_region = sp.And(k1 >= 2 * margin - 1, k1 + k2 >= 0)
 # Is this plain asymptotic stability? The margin requires more. (hint 1)
 f_region = 2 * k1 - 3 * k2 + k1 * k2 - 4 < 0
-# Was the determinant looked at alone, without the trace? (hint 1)
+# Was only the determinant considered, without the trace? (hint 1)
 f_region = (1 + margin) * (margin - 2) - (2 + k2) * (k1 - 3) >= 0
 # Was the product of the coupling terms left out of the determinant? (hint 1)
 m = margin
 f_repaired_region = sp.And(k1 + k2 <= 1 - 2 * m, (k1 + 1 + m) * (k2 - 2 + m) >= 0)
-# Was the inequality divided by a factor without asking for its sign? (hint 2)
+# Was the inequality divided by a factor without regard to its sign? (hint 2)
 m = margin
 f_repaired_region = sp.And(k1 + k2 <= 1 - 2 * m, k2 - 2 + m >= -6 / (k1 + 1 + m))
 

@@ -5,7 +5,7 @@ a_region = k1 * k2 > 1  # Can this product be large with both factors negative? 
 # Does a pair of imaginary roots on the border leave the zero solution asymptotically stable? (hint
 # 2)
 a_region = sp.And(k1 > 0, k1 * k2 >= 1)
-# Did two coefficients change places when they were read off? (hint 1)
+# Were two coefficients swapped when they were read off? (hint 1)
 b_region = sp.And(k1 > 0, k2 > k1)
 # Do roots on the imaginary axis leave the zero solution asymptotically stable? (hint 2)
 b_region = sp.And(k2 >= 0, k1 >= k2)

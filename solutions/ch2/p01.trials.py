@@ -3,14 +3,14 @@
 a_canonical = sp.Matrix(a_canonical) * sp.diag(-1, 1)
 # Is this another canonical form, with the eigenvalues on the diagonal? (hint 1)
 a_canonical = sp.diag(*a_matrix.eigenvals())
-# Do the two coefficients stand in the right order? (hint 1)
+# Are the two coefficients in the right order? (hint 1)
 p, q = sp.Matrix(a_canonical)[:, 0]
 a_canonical = sp.Matrix([[q, 1], [p, 0]])
 # Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
 a_transformation = sp.Matrix(a_transformation).inv()
 # Were the vectors written as columns instead of rows? (hint 1)
 a_transformation = sp.Matrix(a_transformation).T
-# Is this the form by control, with the coefficients in the last row? (hint 1)
+# Is this the controllable canonical form, with the coefficients in the last row? (hint 1)
 b_canonical = sp.Matrix(b_canonical)[::-1, ::-1].T
 # Is the column of coefficients upside down? (hint 1)
 columns = sp.Matrix(b_canonical)

@@ -7,16 +7,16 @@ possible = sp.And(alpha > -sp.Rational(1, 4), sp.Ne(alpha, 2))
 # The canonical matrix can always be written down. But can the system always be brought to it?
 # (hint 1)
 possible = sp.true
-unseen = {2: [[1, 2]]}  # Is this the motion that the measurement does see? (hint 1)
+unseen = {2: [[1, 2]]}  # Is this the observable motion? (hint 1)
 unseen = {-2: [[1, -1]]}  # Was a root put into the equation with its sign lost? (hint 1)
 # Does z stay zero here for ever, or only at one instant? (hint 1)
 unseen = {2: [[1, -1]], 0: [[1, -1]]}
 # Which sign do the coefficients of the polynomial have in this form? (hint 1)
 canonical = sp.Matrix([[-1, 1], [-alpha, 0]])
 canonical = sp.Matrix([[0, 1], [alpha, 1]])  # Is this the matrix as it was given? (hint 1)
-# Is the derivative of z the second coordinate, or does something have to be taken off? (hint 2)
+# Is the derivative of z the second coordinate, or must something be subtracted? (hint 2)
 transformation = sp.Matrix([[1, 1], [alpha, 2]])
-# Is this the way back, from the new coordinates to the state? (hint 1)
+# Is this the inverse transformation, from the new coordinates to the state? (hint 1)
 transformation = sp.Matrix([[1, -1], [1 - alpha, 1]]) / (2 - alpha)
 
 # %% right

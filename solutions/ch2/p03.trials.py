@@ -2,13 +2,13 @@
 # Does one measurement give only one number? Think of its derivative. (hint 1)
 a_observable = False
 a_unseen = [[0, 1]]  # Are these the states with zero output at a single instant only? (hint 1)
-# Is the position not determined by a speed here? The body is not free. (hint 1)
+# Is the position not determined by the velocity here? The body is not free. (hint 1)
 b_observable = False
 b_unseen = [[1, 0]]  # Are these the states with zero output at a single instant only? (hint 1)
 c_observable = True  # Is it enough that both states enter the measurement? (hint 1)
-c_unseen = [[1, 1]]  # Is this the eigenvector that is seen? (hint 2)
+c_unseen = [[1, 1]]  # Is this the observable eigenvector? (hint 2)
 c_unseen = [[0, 0]]  # Can the zero vector belong to a basis? (hint 1)
-d_observable = False  # Do imaginary eigenvalues hide a motion? (hint 1)
+d_observable = False  # Do imaginary eigenvalues make a motion unobservable? (hint 1)
 d_unseen = [[0, 1]]  # Does this motion really keep z at zero? (hint 1)
 # Does one measurement give only one number? Think of its derivative. (hint 1)
 e_observable = False
@@ -17,13 +17,13 @@ f_observable = False  # The output is that of item c, but is the system? (hint 1
 f_unseen = [[1, -1]]  # Does z stay zero on this line, or only at one instant? (hint 1)
 g_observable = True  # Does a regular matrix make a system observable? (hint 1)
 g_unseen = [[0, 1]]  # Is this the measured direction instead of the unobservable one? (hint 1)
-# Does a double eigenvalue spoil observability? Count its eigenvectors. (hint 2)
+# Does a double eigenvalue exclude observability? Count its eigenvectors. (hint 2)
 h_observable = False
 h_unseen = [[1, -1]]  # Does z stay zero on this line, or only at one instant? (hint 1)
 # Is it enough that both states enter the output? Look at how the two modes grow. (hint 1)
 i_observable = True
-i_unseen = [[a, 1]]  # Was a sign lost? Put the vector into the output. (hint 1)
-i_unseen = [[1, -1 / a]]  # What becomes of this vector where the divisor vanishes? (hint 2)
+i_unseen = [[a, 1]]  # Was a sign lost? Substitute the vector into the output. (hint 1)
+i_unseen = [[1, -1 / a]]  # Is this vector defined where the divisor vanishes? (hint 2)
 
 # %% right
 a_unseen = sp.zeros(2, 0)  # a matrix without columns

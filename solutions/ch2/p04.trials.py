@@ -1,28 +1,29 @@
 # %% wrong
-# Which root has the polynomial of the output? Mind its sign. (hint 2)
+# What is the root of the polynomial of the output? Check its sign. (hint 2)
 a_observable = sp.Ne(weight**2 + weight * alpha + beta, 0)
 # Was a sign lost in the second row? (hint 1)
 a_observable = sp.Ne(weight**2 - weight * alpha - beta, 0)
-# Must the motions be stable in order to be seen? (hint 1)
+# Must the motions be stable in order to be observable? (hint 1)
 a_observable = sp.And(sp.Ne(weight * alpha - beta, weight**2), alpha > 0, beta > 0)
-# Is the motion with the double root seen as a whole? One of the two vanishes in z. (hint 2)
+# Are both motions of the double root observable? One of the two vanishes in z. (hint 2)
 a_observable = sp.Or(sp.Ne(weight * alpha - beta, weight**2), sp.Eq(alpha, 2 * weight))
 # Is this where the system is not observable? (hint 2)
 a_observable = sp.Eq(weight * alpha - beta, weight**2)
-# Are these the roots themselves? Put one of them into z. (hint 1)
+# Are these the roots themselves? Substitute one of them into z. (hint 1)
 p, q = b_unseen
 b_unobservable = sp.Or(sp.Eq(h, -p), sp.Eq(h, -q))
 # Are these the values for which the system is observable? (hint 2)
 p, q = b_unseen
 b_unobservable = sp.And(sp.Ne(h, p), sp.Ne(h, q))
-# Is this the only motion that can disappear? (hint 2)
+# Is this the only motion that can vanish in z? (hint 2)
 b_unobservable = sp.Eq(h, min(b_unseen))
-# Does the output lose a motion without the position? The equation ties both together. (hint 1)
+# Is a motion unobservable without the position? The equation couples position and velocity. (hint
+# 1)
 b_unobservable = sp.Eq(h, 0)
-# Does each value hide this motion, or the other one? (hint 1)
+# Is this motion unobservable for this value, or the other one? (hint 1)
 p, q = b_unseen
 b_unseen = {p: [[1, -q]], q: [[1, -p]]}
-# Are these the rows of the output instead of the states? (hint 1)
+# Are these the rows of the outputs instead of the states? (hint 1)
 b_unseen = {value: [[value, 1]] for value in b_unseen}
 # Was one of the two motions overlooked? (hint 1)
 p = min(b_unseen)

@@ -9,10 +9,10 @@ a_unseen = [[0, 1, 0], [0, 0, 1]]
 b_observable = False
 # Is this the unobservable state of example 3? The system here differs from it in a sign. (hint 1)
 b_unseen = [[1, 0, -1]]
-# Is it enough that every coordinate acts on another one? Two of them may act in the same way
-# always. (hint 1)
+# Is it enough that every coordinate acts on another one? Two of them may always act in the same
+# way. (hint 1)
 c_observable = True
-# Was a sign lost when z and its derivative were put to zero? Test the vector with both equations.
+# Was a sign lost when z and its derivative were set to zero? Test the vector in both equations.
 # (hint 1)
 c_unseen = [[0, c_unseen[0][1], -c_unseen[0][2]]]
 # Do these states stay unobservable as time goes on, or only at the initial time? (hint 2)
@@ -21,50 +21,49 @@ c_unseen = [[0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
 # Is it enough that all three coordinates enter z or its derivative? They may enter in one
 # combination only. (hint 1)
 d_observable = True
-# Was a sign lost? Put this vector into the derivative of z. (hint 1)
+# Was a sign lost? Substitute this vector into the derivative of z. (hint 1)
 d_unseen = [[d_unseen[0][0], 0, -d_unseen[0][2]]]
-# Does it follow from the eigenvalues that show in z that nothing is lost? Count the eigenvectors
-# too. (hint 1)
+# Is the system observable because all eigenvalues appear in z? Count the eigenvectors too. (hint 1)
 e_observable = True
 # Does the motion along this eigenvector really give zero for z? (hint 2)
 e_unseen = [list(A_e.nullspace()[0])]
 # Is one vector too many here? Compute the output of each of them and its derivative. (hint 2)
 e_unseen = [*e_unseen, [0, 1, 0]]
-# Does a coordinate that listens to the others have to be seen? Ask whom it acts on. (hint 1)
+# Is a coordinate observable because the others act on it? Check which ones it acts on. (hint 1)
 f_observable = True
 # Are these the states with zero output at the initial time only? (hint 1)
 f_unseen = [list(v) for v in H_f.nullspace()]
 # Was one factor of the determinant overlooked? (hint 1)
 g_region = sp.Ne(alpha, min(g_unseen))
-# Are these the values at which something is lost, instead of those at which nothing is? (hint 1)
+# Are these the values for which the system is unobservable, instead of observable? (hint 1)
 g_region = sp.Or(*(sp.Eq(alpha, value) for value in g_unseen))
 # Does the sign of the determinant matter, or only whether it vanishes? (hint 1)
 g_region = sp.And(sp.Ne(alpha, min(g_unseen)), alpha < max(g_unseen))
-# Is one vector a whole basis at each of these values? Count the independent rows that are left.
-# (hint 2)
+# Is one vector a whole basis at each of these values? Count the independent rows that remain. (hint
+# 2)
 g_unseen = {value: basis[:1] for value, basis in g_unseen.items()}
 # Was one of the exceptional values left out? (hint 1)
 g_unseen = {min(g_unseen): g_unseen[min(g_unseen)]}
-# Have the two values changed places? Put each of them into the rows again. (hint 1)
+# Were the two values swapped? Substitute each of them into the rows again. (hint 1)
 g_unseen = dict(zip(g_unseen, reversed(g_unseen.values())))
 # Was a sign lost in the factor of the determinant? (hint 2)
 h_region = sp.Ne(alpha, -min(h_unseen))
 # Is this the eigenvector alone? How many rows are still independent there? (hint 1)
 h_unseen = {min(h_unseen): [list(v) for v in (A_h + sp.eye(3)).nullspace()]}
-# Is anything lost at all at each of the values named here? Compute the determinant there. (hint 1)
+# Is the system unobservable at each of these values? Compute the determinant there. (hint 1)
 h_unseen = h_unseen | {min(h_unseen) + 2: [[1, 0, 0]]}
 # Is this the condition of a single minor? All of them have to vanish together. (hint 1)
 i_region = sp.And(sp.Ne(alpha, min(i_unseen)), sp.Ne(alpha, min(i_unseen) + 2))
-# Is this what the first output alone does not see? Ask the second output too, and check the value.
-# (hint 1)
+# Is this unobservable only from the first output? Compute the second output too, and check the
+# value. (hint 1)
 i_unseen = {value + 2: basis for value, basis in i_unseen.items()}
-# Is this eigenvector really without any trace in both outputs? (hint 1)
+# Are both outputs of this eigenvector really zero? (hint 1)
 i_unseen = {value: [[1, 1, 0]] for value in i_unseen}
 # Is this the condition of a single minor? The others may still be different from zero there. (hint 1)
 j_region = sp.And(sp.Ne(alpha, min(j_unseen)), sp.Ne(alpha, min(j_unseen) + sp.Rational(1, 2)))
 j_region = True  # Does the minor really never vanish? Factor it. (hint 1)
-# Is this the eigenvector that the first output alone does not see? Ask the second one at this
-# value. (hint 1)
+# Is this eigenvector unobservable only from the first output? Compute the second one at this value.
+# (hint 1)
 unseen_by_first = [list(v) for v in (A_j + 5 * sp.eye(3)).nullspace()]
 j_unseen = j_unseen | {min(j_unseen) + sp.Rational(1, 2): unseen_by_first}
 

@@ -3,31 +3,32 @@
 a_observable = False
 # Does the longitude stay at rest when the height is constant? (hint 1)
 a_unseen = [[0, 1, 0, 0]]
-# Does the rank fall wherever the upper square is singular? There is one row more. (hint 2)
+# Does the rank fall wherever the upper square is singular? There is one more row. (hint 2)
 a_lost = {0, sp.I * Omega, -sp.I * Omega}
-b_observable = True  # Does the height determine all that the longitude does? (hint 1)
-# Does an altimeter really not see this orbit? (hint 2)
+b_observable = True  # Does the height determine the longitude completely? (hint 1)
+# Is this orbit really unobservable from the height? (hint 2)
 b_unseen = [[1, 0, 0, 0], [0, 2 * r0, -3 * Omega, 0]]
 b_unseen = [[0, 0, 1, 0]]  # Do the equations allow a steady rate at height zero? (hint 2)
-b_lost = {sp.I * Omega, -sp.I * Omega}  # Is the oscillation unseen by an altimeter? (hint 1)
-# Does integrating a rate give the quantity itself, or up to a constant? (hint 1)
+b_lost = {sp.I * Omega, -sp.I * Omega}  # Is the oscillation unobservable from the height? (hint 1)
+# Does integrating a rate give the quantity itself, or only up to a constant? (hint 1)
 c_observable = True
-# Is this all that z does not contain at the initial time? What do its derivatives show? (hint 1)
+# Are these only the states with z = 0 at the initial time? What do its derivatives show? (hint 1)
 c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
 c_lost = set()  # Was the row of the measurement written with its factor $\lambda$? (hint 1)
-# Does a velocity give the height, and this all the rest? Look at the constants. (hint 1)
+# Does the velocity determine the height, and the height everything else? Look at the constants.
+# (hint 1)
 d_observable = True
 # Must there be as many unobservable states as the theorem finds exceptions? (hint 1)
 d_unseen = [[1, 0, 0, 0]]
 # Does the height change without any change of the rate? (hint 2)
 d_unseen = [[1, 0, 0, 0], [0, 1, 0, 0]]
-# Does the higher of two satellites run ahead? (hint 2)
+# Does the higher of two satellites move ahead? (hint 2)
 d_unseen = [[1, 0, 0, 0], [0, 2 * r0, 3 * Omega, 0]]
-d_lost = {0, sp.I * Omega}  # Must every unobservable state have a number of its own? (hint 1)
+d_lost = {0, sp.I * Omega}  # Must every unobservable state have its own number? (hint 1)
 e_observable = False  # If neither measurement is enough, can their sum not be enough? (hint 1)
 # Does the sum vanish along this motion for ever, or at one instant? (hint 1)
 e_unseen = [[1, -1, 0, 0]]
-e_lost = {0}  # Is this what the altimeter loses? The sum shows it in another way. (hint 1)
+e_lost = {0}  # Is the sum zero along the motion of item b? (hint 1)
 
 # %% right
 a_unseen = sp.zeros(4, 0)  # a matrix without columns

@@ -10,20 +10,20 @@ a_unseen = [[1, -1, -1, 1]]  # Does a motion with this shape exist? It needs a r
 b_roots = [0, sp.sqrt(11), -sp.sqrt(11)]
 b_roots = [sp.sqrt(3), -sp.sqrt(3)]  # Does a negative value of the square of s give no root?
 b_lost = [sp.sqrt(3)]  # Does the output treat s and -s differently here? (hint 2)
-b_lost = [sp.I * sp.sqrt(10), -sp.I * sp.sqrt(10)]  # Is this the mode that is seen? (hint 1)
+b_lost = [sp.I * sp.sqrt(10), -sp.I * sp.sqrt(10)]  # Is this the observable mode? (hint 1)
 b_observable = True  # Is it enough that both coordinates enter the output? (hint 1)
 # Are there only displacements along this line, or velocities too? (hint 1)
 b_unseen = [[-3, 1, 0, 0]]
-# Is this the row of the output instead of what it sends to zero? (hint 1)
+# Is this the row of the output instead of the vector that it maps to zero? (hint 1)
 b_unseen = [[1, 3, 0, 0], [0, 0, 1, 3]]
-c_roots = [1, -1]  # Which root gets lost when one divides by the square of s? (hint 1)
-c_lost = [1, -1]  # Does a lost shape take both its roots along? (hint 2)
-# Is this the root of the coordinate without stiffness? Ask the output about its shape. (hint 1)
+c_roots = [1, -1]  # Which root is lost in a division by the square of s? (hint 1)
+c_lost = [1, -1]  # Are both roots of an unobservable shape unobservable? (hint 2)
+# Is this the root of the coordinate without stiffness? Compute the output of its shape. (hint 1)
 c_lost = [0]
 c_observable = True  # Can a displacement and a velocity never cancel? (hint 1)
 c_unseen = [[1, 1, 0, 0]]  # What is the initial velocity of this motion? (hint 1)
-c_unseen = [[1, 1, 1, 1]]  # Is this the growing motion, and is it not seen? (hint 1)
-# Was the printed equation used, with the derivative that the problem mends?
+c_unseen = [[1, 1, 1, 1]]  # Is this the growing motion, and is it unobservable? (hint 1)
+# Was the printed equation used, with the derivative that the problem corrects?
 d_roots = [1, (-1 + sp.sqrt(13)) / 6, (-1 - sp.sqrt(13)) / 6]
 # Were the gyroscopic terms left out? (hint 1)
 d_roots = list(sp.solve((3 * sp.Symbol("q") ** 2 - 2) * (sp.Symbol("q") ** 2 - 1) - 1))
@@ -31,7 +31,7 @@ d_lost = [0]  # Is this number a root of the system at all? (hint 1)
 d_lost = [1, -1]  # Do both signs go together when there are gyroscopic terms? (hint 1)
 d_observable = True  # Is it enough that the velocities of both coordinates enter? (hint 1)
 d_unseen = [[-2, 1, -2, 1]]  # Was a sign lost in the initial velocity? (hint 1)
-# Are all starts along this line unobservable, or only one? (hint 1)
+# Are all initial states along this line unobservable, or only one? (hint 1)
 d_unseen = [[-2, 1, 0, 0], [0, 0, -2, 1]]
 
 # %% right

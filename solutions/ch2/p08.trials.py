@@ -1,17 +1,17 @@
 # %% wrong
-# Does an eigenvalue zero hide its mode? (hint 2)
+# Does an eigenvalue zero make its mode unobservable? (hint 2)
 region = sp.And(sp.Ne(l1, l2), sp.Ne(l1, 0), sp.Ne(l2, 0))
 region = sp.And(l1 < 0, l2 < 0)  # Is this stability instead of observability? (hint 1)
-region = sp.Ne(l1**2, l2**2)  # Do opposite eigenvalues give modes that look alike? (hint 1)
-unseen = [[1, 1]]  # Is this the direction that is seen best? (hint 1)
-unseen = [[1, 0], [0, 1]]  # Both modes look alike, but is their sum unobservable as well? (hint 1)
-# Which of the two coordinates has to stand first? (hint 1)
+region = sp.Ne(l1**2, l2**2)  # Do opposite eigenvalues give equal modes? (hint 1)
+unseen = [[1, 1]]  # Is this the direction that is observed best? (hint 1)
+unseen = [[1, 0], [0, 1]]  # The modes are equal, but is their sum unobservable too? (hint 1)
+# Which of the two coordinates must come first? (hint 1)
 split = sp.Matrix([[1, -1], [1, 1]])
-split = sp.eye(2)  # Is the first coordinate observable by itself, as it stands? (hint 1)
+split = sp.eye(2)  # Can the first coordinate be found from z? (hint 1)
 split = sp.Matrix([[1, 1], [2, 2]])  # Can the second row be a multiple of the first? (hint 1)
-# How does the output read in the new coordinates? (hint 1)
+# What is the output in the new coordinates? (hint 1)
 split_system = [sp.diag(l, l), sp.Matrix([[1, 1]])]
-# Does the unseen coordinate stay constant? (hint 1)
+# Is the unobservable coordinate constant? (hint 1)
 split_system = [sp.diag(l, 0), sp.Matrix([[1, 0]])]
 
 # %% right

@@ -1,17 +1,18 @@
 # %% wrong
-# Does an eigenvalue zero have to be excluded? (hint 1)
+# Must an eigenvalue zero be excluded? (hint 1)
 a_region = sp.And(sp.Ne(lam1, lam2), sp.Ne(lam1 * lam2, 0))
-a_region = True  # Is the whole observable as soon as each part is? (hint 1)
-# Must the oscillators be equal for a motion to be lost, or is one common root enough? (hint 2)
+a_region = True  # Is the whole system observable whenever each part is? (hint 1)
+# Must the oscillators be equal for a motion to be unobservable, or is one common root enough? (hint
+# 2)
 b_region = sp.Or(sp.Ne(p, 3), sp.Ne(k, 2))
-b_region = sp.Ne(k, p - 1)  # Which other eigenvalue has the first block? (hint 1)
+b_region = sp.Ne(k, p - 1)  # What is the other eigenvalue of the first block? (hint 1)
 # Were the eigenvalues of the first oscillator taken with the wrong sign? (hint 1)
 b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2 * p - 4))
 b_region = k > p**2 / 4  # Must the roots be complex? (hint 1)
-# What does the output show of each of the two eigenvectors? Subtract in such amounts that nothing
-# is left. (hint 2)
+# What is the output of each of the two eigenvectors? Combine them so that the outputs cancel. (hint
+# 2)
 c_unseen = [[1, 0, -1, -q]]
-c_unseen = [[2, 0, -q, -(q**2)]]  # Have the two amounts changed places? (hint 2)
+c_unseen = [[2, 0, -q, -(q**2)]]  # Were the two coefficients swapped? (hint 2)
 c_unseen = [[q, 0, 2, 2 * q]]  # Do the outputs add up here instead of cancelling? (hint 2)
 # Is the theorem about two outputs that are measured separately? (hint 1)
 d_observable = False

@@ -1,22 +1,23 @@
 # %% wrong
 observable = True  # Is it enough that every state acts on another one? (hint 1)
-# Was a sign lost when z and its derivative were put to zero? (hint 1)
+# Was a sign lost when z and its derivative were set to zero? (hint 1)
 unseen = [[unseen[0][0], unseen[0][1], -unseen[0][2]]]
-# Are all states hidden that are not measured directly? (hint 1)
+# Are all states unobservable that are not measured directly? (hint 1)
 unseen = [[1, 0, 0], [0, 0, 1]]
 # Is the measured coordinate alone the observable part? (hint 1)
 split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]])
 # Is this the matrix of the basis instead of that of the coordinates? (hint 1)
 split = sp.Matrix.vstack(H, H * A, sp.Matrix([unseen[0]])).inv()
 split = sp.Matrix.vstack(H, H * A, H * A**2)  # Are the three rows independent? (hint 2)
-# Does the hidden coordinate act on what is seen here? Was the matrix transposed? (hint 1)
+# Does the unobservable coordinate act on the observable ones here? Was the matrix transposed? (hint
+# 1)
 split_system = [sp.Matrix(split_system[0]).T, sp.Matrix([[1, 0, 0]])]
 # Was a sign lost in the second equation? (hint 1)
 split_system = [sp.diag(1, -1, 1) * sp.Matrix(split_system[0]), sp.Matrix([[1, 0, 0]])]
-# Do the coefficients stand in the right order? (hint 2)
+# Are the coefficients in the right order? (hint 2)
 p, q = sp.Matrix(canonical[0])[:, 0]
 canonical = [sp.Matrix([[q, 1], [p, 0]]), sp.Matrix([[1, 0]])]
-# Has the whole system a canonical form, or only its observable part? (hint 1)
+# Does the whole system have a canonical form, or only its observable part? (hint 1)
 p, q = sp.Matrix(canonical[0])[:, 0]
 canonical = [sp.Matrix([[p, 1, 0], [q, 0, 1], [0, 0, 0]]), sp.Matrix([[1, 0, 0]])]
 # Which coordinate is measured in the canonical form?

@@ -1,50 +1,51 @@
 # %% wrong
 a_observable = True  # Is it enough that z and its derivative contain all states? (hint 1)
-# Is this a row of what is seen instead of an unobservable state? (hint 1)
+# Is this a row of the observable part instead of an unobservable state? (hint 1)
 a_unseen = [list(a_output)]
 # Are these the states with zero output at a single instant only? (hint 1)
 a_unseen = [list(v) for v in a_output.nullspace()]
 # Has this matrix an inverse? (hint 1)
 a_split = sp.Matrix.vstack(*(a_output * a_system**k for k in range(3)))
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 a_split = sp.Matrix(a_split)[::-1, :]
 b_observable = True  # Is it enough that the other states act on the measured one? (hint 1)
 # Is this the measured coordinate? (hint 1)
 b_unseen = [list(b_output)]
-# Was a sign lost? Put the state into z and its derivative. (hint 2)
+# Was a sign lost? Substitute the state into z and its derivative. (hint 2)
 b_unseen = [list(sp.Matrix(b_unseen[0]).cross(b_output.T))]
-# Does a coordinate outside the observable part stand in its place? (hint 1)
+# Is one of the first coordinates outside the observable part? (hint 1)
 b_split = sp.Matrix(b_split)[[0, 2, 1], :]
-c_observable = True  # Does it follow from a regular matrix that all is seen? (hint 1)
+c_observable = True  # Does a regular matrix imply observability? (hint 1)
 # Are these the states with zero output at a single instant only? (hint 1)
 c_unseen = [list(v) for v in c_output.nullspace()]
 # Were the new coordinates written into the columns? (hint 2)
 c_split = sp.Matrix(c_split).T
-d_observable = True  # Can three rows hang on each other although no two do? (hint 2)
-# Is nothing hidden as soon as all states occur? Look for a combination that never does. (hint 1)
+d_observable = True  # Can three rows be dependent although no two are? (hint 2)
+# Is the system observable as soon as all states occur? Look for a combination that never does.
+# (hint 1)
 d_unseen = []
-# Do the two observable coordinates stand first? (hint 1)
+# Do the two observable coordinates come first? (hint 1)
 d_split = sp.Matrix(d_split)[[0, 2, 1], :]
-# Was the last row computed with a slip? Test it with an unobservable state. (hint 1)
+# Is there a slip in the last row? Test it with an unobservable state. (hint 1)
 e_observable = True
-# Were the signs lost? Put the state into z and its derivative. (hint 1)
+# Were the signs lost? Substitute the state into z and its derivative. (hint 1)
 e_unseen = [list(sp.Matrix(e_unseen[0]).cross(e_output.T))]
-# Are the other two coordinates fit to stand beside z as they are? (hint 1)
+# Do the other two coordinates complete z to a decomposition? (hint 1)
 e_split = sp.Matrix.vstack(e_output, sp.Matrix([e_unseen[0]]), e_output * e_system)
-f_observable = True  # Is it observable if the state becomes known only in the long run? (hint 1)
+f_observable = True  # Is it observable if the state is found only in the limit? (hint 1)
 # Can the zero vector belong to a basis? (hint 1)
 f_unseen = [f_unseen[0], [0, 0, 0]]
 # Is this what the second observable coordinate measures? (hint 1)
 f_unseen = [list(f_output * f_system)]
 # Has this matrix an inverse? (hint 1)
 f_split = sp.Matrix.vstack(*(f_output * f_system**k for k in range(3)))
-g_observable = True  # Do complex eigenvalues make everything visible? (hint 1)
+g_observable = True  # Do complex eigenvalues make everything observable? (hint 1)
 # Is this the measured direction? (hint 1)
 g_unseen = [list(g_output)]
-# Does the hidden coordinate stand last? (hint 2)
+# Does the unobservable coordinate come last? (hint 2)
 g_split = sp.Matrix(g_split)[[0, 2, 1], :]
 h_observable = True  # Are different eigenvalues enough for one output? (hint 1)
-# Is this the eigenvector that is seen? (hint 1)
+# Is this the observable eigenvector? (hint 1)
 h_unseen = [list(sp.Matrix(h_unseen[0]).cross(h_output.T))]
 # Were the eigenvectors written into the rows? (hint 1)
 h_split = sp.Matrix(h_split)[::-1, :]

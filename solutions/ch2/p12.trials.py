@@ -1,29 +1,29 @@
 # %% wrong
 a_observable = True  # Is it enough that each block has a variable in z? (hint 1)
-a_unseen = [[0, 1, 0, 0], [0, 0, 1, 0]]  # Must a variable stand in z to be seen? (hint 1)
+a_unseen = [[0, 1, 0, 0], [0, 0, 1, 0]]  # Must a variable appear in z to be observable? (hint 1)
 a_unseen = [[1, 0, 0, -1]]  # Does z stay zero here, or only at the initial time? (hint 1)
-a_split = sp.eye(4)  # Can the order stay as it is? Ask which coordinate is unobservable. (hint 1)
-# Which variables are seen, though they do not stand in z? (hint 1)
+a_split = sp.eye(4)  # Can the order stay as it is? Which coordinate is unobservable? (hint 1)
+# Which variables are observable, though they do not appear in z? (hint 1)
 a_split = sp.Matrix([[1, 0, 0, 0], [0, 0, 0, 1], [0, 0, 1, 0], [0, 1, 0, 0]])
-# Did an action of one variable on another get lost on the way? (hint 1)
+# Was a coupling between two variables lost? (hint 1)
 a_split_system = [sp.diag(sp.Matrix([[2, 1], [0, 2]]), 1, 1), sp.Matrix([[1, 0, 1, 0]])]
 # Was the matrix written in the new order at all? (hint 1)
 a_split_system = [a_matrix, a_output]
 b_observable = True  # Is it enough that the eigenvalues of the blocks differ? (hint 1)
-b_unseen = [[0, 0, 1, 0]]  # Is a variable unobservable because it rests? (hint 1)
+b_unseen = [[0, 0, 1, 0]]  # Is a variable unobservable because it is constant? (hint 1)
 # Does z stay zero here, or only at the initial time? (hint 1)
 b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 b_split = sp.Matrix([[0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])
 # Is an unobservable variable mixed into an observable coordinate here? (hint 1)
 b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 1]])
 b_split_system = [b_matrix.T, b_output]  # Was the matrix transposed? (hint 1)
 # Does the unobservable part have this eigenvalue? (hint 1)
 b_split_system = [sp.diag(b_matrix[:3, :3], 3), b_output]
-c_observable = True  # Is it enough that a way leads from every variable to z? (hint 1)
-c_unseen = [[1, -1, 0, 0]]  # Does this difference turn up in the second derivative? (hint 1)
-c_unseen = [[0, 0, 1, 1]]  # Does this combination turn up in the first derivative? (hint 1)
-# Have the two differences changed places? The unobservable one has to stand last. (hint 1)
+c_observable = True  # Is it enough that a path leads from every variable to z? (hint 1)
+c_unseen = [[1, -1, 0, 0]]  # Does this difference appear in the second derivative? (hint 1)
+c_unseen = [[0, 0, 1, 1]]  # Does this combination appear in the first derivative? (hint 1)
+# Were the two differences swapped? The unobservable one must come last. (hint 1)
 c_split = half * sp.Matrix([[1, 1, 0, 0], [0, 0, 1, 1], [0, 0, 1, -1], [-1, 1, 0, 0]])
 # Are these the basis vectors instead of the coordinates? (hint 1)
 c_split = sp.Matrix([[1, 0, -1, 0], [1, 0, 1, 0], [0, 1, 0, 1], [0, 1, 0, -1]])
@@ -32,7 +32,7 @@ c_split_system = [
     sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
     sp.Matrix([[1, 0, 0, 0]]),
 ]
-# Did an eigenvalue get the wrong sign? (hint 1)
+# Does an eigenvalue have the wrong sign? (hint 1)
 c_split_system = [
     sp.Matrix([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1, 0], [1, 0, 0, 1]]),
     sp.Matrix([[1, 0, 0, 0]]),

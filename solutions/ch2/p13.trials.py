@@ -1,6 +1,6 @@
 # %% wrong
 a_observable = True  # Is the coupled motion in the plane the whole motion? (hint 1)
-# Is there another unobservable motion beside the oscillation across the plane? (hint 2)
+# Is there another unobservable motion besides the oscillation across the plane? (hint 2)
 a_unseen = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
 # Does the velocity turn with a satellite that is shifted along the orbit? (hint 1)
 a_unseen = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
@@ -15,7 +15,7 @@ a_split = sp.Matrix(
         [0, 0, 0, 0, 1, 0],
     ]
 )
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 a_split = sp.Matrix(
     [
         [1, 0, 0, 0, 0, 0],
@@ -28,9 +28,9 @@ a_split = sp.Matrix(
 )
 b_observable = True  # Do all six variables act on each other? (hint 1)
 b_unseen = []  # Are the coupled variables the whole state? (hint 1)
-# Would a measurement of the height miss this shift? Ask what $z_2$ measures. (hint 1)
+# Would this shift be unobservable from the height? What does $z_2$ measure? (hint 1)
 b_unseen = [[1, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 b_split = sp.Matrix(
     [
         [0, 0, 0, 0, 1, 0],
@@ -42,7 +42,7 @@ b_split = sp.Matrix(
     ]
 )
 c_hill = sp.eye(6)  # Are the deviations of an absolute velocity relative velocities? (hint 1)
-# Does the frame turn this way? (hint 1)
+# Does the frame rotate in this direction? (hint 1)
 c_hill = sp.Matrix(
     [
         [1, 0, 0, 0, 0, 0],
@@ -75,17 +75,17 @@ c_similarity = sp.Matrix(
         [0, 0, 0, 1, 0, 0],
     ]
 )
-c_similarity = sp.zeros(6, 6)  # Can a change of coordinates take everything to zero? (hint 1)
+c_similarity = sp.zeros(6, 6)  # Can a change of coordinates map everything to zero? (hint 1)
 # Which axis is the normal of the plane? (hint 1)
 d_first = "distance across the plane of the orbit"
-d_second = "height"  # Which way does the first axis point? (hint 1)
-e_observable = True  # Does the printed coefficient make the hidden part visible? (hint 1)
-# Are these the unobservable states of the repaired system? The printed one hides more, or less. (hint 1)
+d_second = "height"  # In which direction does the first axis point? (hint 1)
+e_observable = True  # Does the printed coefficient make the system observable? (hint 1)
+# Are these the unobservable states of the corrected system? The printed one has others. (hint 1)
 e_unseen = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
 e_split = sp.eye(6)  # Can the variables be left as they are, as in item b? (hint 1)
-# Are these the eigenvalues of the satellite? The printed system is another one. (hint 1)
+# Are these the eigenvalues of the satellite? The printed system is different. (hint 1)
 e_eigenvalues = [[0, 2, 1], [sp.I, 2, 2], [-sp.I, 2, 2]]
-# How many eigenvectors has the double eigenvalue? (hint 2)
+# How many eigenvectors does the double eigenvalue have? (hint 2)
 e_eigenvalues = [[0, 2, 1], [sp.I, 1, 1], [-sp.I, 1, 1], [2 * sp.I, 1, 1], [-2 * sp.I, 1, 1]]
 
 # %% right

@@ -1,39 +1,40 @@
 # %% wrong
-# Does the error of an instrument push the motion? (hint 2)
+# Does the error of an instrument act on the motion? (hint 2)
 a_augmented = [sp.Matrix([[-rate_a, 0, 1], [1, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 1]])]
 # Where does the error enter? Look at the output. (hint 2)
 a_augmented = [sp.diag(A_a, 0), sp.Matrix([[1, 0, 0]])]
-# At which rate does a constant change? (hint 1)
+# At what rate does a constant change? (hint 1)
 a_augmented = [sp.diag(A_a, 1), sp.Matrix([[1, 0, 1]])]
-a_observable = True  # Does it follow that all is found once $x_1$ and the error are? (hint 1)
+a_observable = True  # Is everything found once $x_1$ and the error are? (hint 1)
 # Can two constants be confused if only one of them is measured? (hint 1)
 a_unseen = [[0, 1, -1]]
-a_unseen = [[0, 1, 0], [0, 0, 1]]  # Is the error really hidden, too? (hint 1)
-a_amplitude = z  # Is this the error only in the end, when $x_1$ has died out? (hint 1)
-a_amplitude = z - z1 / rate_a  # Which sign has the rate at which $x_1$ decays? (hint 1)
+a_unseen = [[0, 1, 0], [0, 0, 1]]  # Is the error really unobservable too? (hint 1)
+a_amplitude = z  # Is this the error only in the limit, when $x_1$ has decayed? (hint 1)
+a_amplitude = z - z1 / rate_a  # What is the sign of the rate at which $x_1$ decays? (hint 1)
 # Is the error constant here? (hint 1)
 b_augmented = [sp.diag(A_b, 0), sp.Matrix([[0, 1, 1]])]
-# Does a growing error cover everything? It moves in another way than the system. (hint 1)
+# Does a growing error make everything unobservable? Its form differs from that of the motions.
+# (hint 1)
 b_observable = False
-# Was the error differentiated along with the motion? (hint 1)
+# Was the error differentiated together with the motion? (hint 1)
 b_amplitude = (stiffness_b * z + z2) * sp.exp(-growth_b * t)
 # Does the error keep its size as time goes on? (hint 1)
 b_amplitude = (stiffness_b * z + z2) / (growth_b**2 + stiffness_b)
-# Does the exponent or its exponential belong into the matrix?
+# Does the exponent or its exponential belong in the matrix?
 c_augmented = [sp.diag(A_c, 0), sp.Matrix([[1, 0, sp.exp(alpha)]])]
 # Did the error take the place of a coordinate in the output?
 c_augmented = [sp.diag(A_c, alpha), sp.Matrix([[1, 1, 0]])]
-# Is only a decaying error harmless? Ask instead whether it looks like a motion. (hint 2)
+# Is only a decaying error harmless? Check instead whether it has the form of a motion. (hint 2)
 c_region = alpha < 0
-# How many motions of its own has the system? (hint 2)
+# How many independent motions does the system have? (hint 2)
 c_region = sp.Ne(alpha, max(c_unseen))
-# Which sign have the eigenvalues of the system? (hint 2)
+# What is the sign of the eigenvalues of the system? (hint 2)
 c_region = sp.And(*(sp.Ne(alpha, -value) for value in c_unseen))
-# Does the error have the same size in both cases? Ask what z shows of each eigenvector. (hint 2)
+# Does the error have the same size in both cases? Compute z for each eigenvector. (hint 2)
 c_unseen = {value: [[value, 1, 1]] for value in c_unseen}
 # Do motion and error cancel here, or add up? (hint 1)
 c_unseen = {value: [[value, 1, value]] for value in c_unseen}
-# Is the error lost alone, or together with a motion? (hint 1)
+# Is the error unobservable alone, or together with a motion? (hint 1)
 c_unseen = {value: [[0, 0, 1]] for value in c_unseen}
 # Is one coordinate enough for a sine? (hint 1)
 d_augmented = [sp.diag(A_d, omega), sp.Matrix([[1, 0, 1]])]
@@ -41,15 +42,15 @@ d_augmented = [sp.diag(A_d, omega), sp.Matrix([[1, 0, 1]])]
 d_augmented = [sp.diag(A_d, sp.Matrix([[0, omega], [omega, 0]])), sp.Matrix([[1, 0, 1, 0]])]
 # Is this one of several exceptional values? (hint 2)
 d_region = sp.Ne(omega, sp.sqrt(stiffness_d))
-# Is there a frequency at which the error is not there at all? (hint 2)
+# Is there a frequency at which the error is zero? (hint 2)
 d_region = sp.Ne(omega**2, stiffness_d)
-d_region = sp.Ne(omega, 0)  # Is zero frequency the only danger? Think of resonance. (hint 1)
+d_region = sp.Ne(omega, 0)  # Is zero frequency the only exception? Think of resonance. (hint 1)
 # Is this the condition for state and error together? (hint 2)
 d_state = sp.And(sp.Ne(omega, 0), sp.Ne(omega**2, stiffness_d))
-d_state = sp.true  # Does the known phase save the state at resonance as well? (hint 1)
-# Can the amplitude be found from an error that is not there? (hint 1)
+d_state = sp.true  # Does the known phase also make the state observable at resonance? (hint 1)
+# Can the amplitude of an error be found where the error is zero? (hint 1)
 d_amplitude = sp.Ne(omega**2, stiffness_d)
-# Have both resonances the same sign? (hint 1)
+# Do both resonances have the same sign? (hint 1)
 k = sp.sqrt(stiffness_d)
 d_unseen = {0: [[0, 0, 1]], k: [[0, k, -1]], -k: [[0, k, -1]]}
 # Is the phase of the error unknown? (hint 2)

@@ -1,16 +1,16 @@
 # %% wrong
-a_controllable = False  # Must the control stand in every equation? (hint 1)
-a_kalman = sp.Matrix([[1, 0], [0, 1]])  # Do the columns stand in the usual order? (hint 1)
+a_controllable = False  # Must the control appear in every equation? (hint 1)
+a_kalman = sp.Matrix([[1, 0], [0, 1]])  # Are the columns in the usual order? (hint 1)
 # What is the second column made of, besides A and b? (hint 1)
 a_kalman = sp.Matrix([[0, 1], [1, 1]])
-b_region = sp.Ne(beta, 1)  # Has the determinant another root? (hint 2)
-b_region = sp.Ne(beta, -1)  # Does what dies out by itself count as controlled? (hint 2)
+b_region = sp.Ne(beta, 1)  # Does the determinant have another root? (hint 2)
+b_region = sp.Ne(beta, -1)  # Is a combination controllable because it decays by itself? (hint 2)
 # Must the determinant be positive, or only different from zero? (hint 2)
 b_region = sp.Or(beta > 1, beta < -1)
 # Are these the directions in which the control acts? (hint 1)
 b_lost = {1: [[1, 1]], -1: [[-1, 1]]}
-b_lost = {-1: [[1, 1]]}  # Is only the combination that grows left alone? (hint 1)
-# Is something lost if the control does not change it at once? (hint 1)
+b_lost = {-1: [[1, 1]]}  # Is only the growing combination uncontrollable? (hint 1)
+# Is something uncontrollable if the control does not change it at once? (hint 1)
 b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
 
 # %% right

@@ -1,5 +1,5 @@
 # %% wrong
-# Must the control stand in every equation? Follow what it acts on. (hint 1)
+# Must the control appear in every equation? Follow what it acts on. (hint 1)
 controllable = False
 # Were the vectors written as rows? (hint 1)
 basis = sp.Matrix(basis).T
@@ -7,12 +7,12 @@ basis = sp.eye(3)  # Does any basis of the same subspaces do? (hint 1)
 basis = sp.Matrix.hstack(b, A.T * b, A.T**2 * b)  # Was the transposed matrix applied? (hint 1)
 # Is this the canonical form, which belongs to another basis? (hint 1)
 matrix = sp.Matrix(matrix).T
-# Does the inverse stand on the right side? (hint 1)
+# Is the inverse on the correct side? (hint 1)
 P = sp.Matrix(basis)
 matrix = P * A * P.inv()
-# Which sign have the coefficients of the polynomial here? (hint 2)
+# What is the sign of the coefficients of the polynomial here? (hint 2)
 matrix = sp.Matrix(matrix) * sp.diag(1, 1, -1)
-# Do the coefficients stand in the right order? (hint 2)
+# Are the coefficients in the right order? (hint 2)
 columns = sp.Matrix(matrix)
 matrix = sp.Matrix.hstack(columns[:, :2], columns[::-1, 2])
 # Was the polynomial forgotten, so that these are only the vectors in the opposite order? (hint 2)

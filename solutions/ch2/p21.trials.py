@@ -4,20 +4,20 @@ possible = sp.Ne(beta, max(lost))  # Was one of the two roots overlooked? (hint 
 possible = True
 # Are these the values at which one element of P vanishes? (hint 2)
 possible = sp.And(*(sp.Ne(element, 0) for element in sp.Matrix(basis)[:, 0]))
-# Have the two combinations changed places? (hint 1)
+# Were the two combinations swapped? (hint 1)
 p, q = lost
 lost = {p: lost[q], q: lost[p]}
 # Are these right eigenvectors where left ones are needed? (hint 2)
 p, q = lost
 lost = {p: [[q, 1]], q: [[p, 1]]}
-canonical = sp.Matrix(canonical)[::-1, ::-1].T  # Is this the form by observation?
-# In which order do the coefficients stand in the last row? (hint 1)
+canonical = sp.Matrix(canonical)[::-1, ::-1].T  # Is this the observable canonical form?
+# In which order are the coefficients in the last row? (hint 1)
 canonical = sp.Matrix([[0, 1], [A.trace(), -A.det()]])
 # Was a coefficient of the polynomial added instead of subtracted? (hint 1)
 basis = sp.Matrix.hstack(A * b + A.trace() * b, b)
 # Does this lead from x to the new coordinates, instead of from them to x? (hint 1)
 basis = sp.Matrix(basis).inv()
-coordinate = [-c for c in coordinate]  # Which sign must c A b have?
+coordinate = [-c for c in coordinate]  # What must the sign of c A b be?
 # Must c be parallel to b, or such that u drops out? (hint 1)
 coordinate = [-coordinate[1], coordinate[0]]
 # Is this the equation of one of the given coordinates? (hint 1)
@@ -25,7 +25,7 @@ equation = sp.Eq(
     y.diff(t, 2) - A.trace() * y.diff(t) + A.det() * y,
     u.diff(t) + (A[1, 0] * beta - A[0, 0]) * u,
 )
-# Did the terms change their sign when they were moved to the left? (hint 1)
+# Did the signs of the terms change when they were moved to the left? (hint 1)
 equation = sp.Eq(y.diff(t, 2) + A.trace() * y.diff(t) - A.det() * y, u)
 # Is this the equation of a single mode? (hint 1)
 equation = sp.Eq(y.diff(t) - min(A.eigenvals()) * y, (beta - max(lost)) * u)

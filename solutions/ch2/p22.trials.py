@@ -1,12 +1,12 @@
 # %% wrong
-# Did the trace get the right sign? (hint 2)
+# Does the trace have the right sign? (hint 2)
 first_equation = sp.Eq(x1.diff(t, 2) + A.trace() * x1.diff(t) + A.det() * x1, A[0, 1] * u1)
 # How do the off-diagonal elements enter the determinant? (hint 2)
 product = A[0, 0] * A[1, 1] + A[0, 1] * A[1, 0]
 first_equation = sp.Eq(x1.diff(t, 2) - A.trace() * x1.diff(t) + product * x1, A[0, 1] * u1)
 # Was $x_2$ left out of the second equation? (hint 1)
 first_equation = sp.Eq(x1.diff(t, 2), A[0, 0] * x1.diff(t) + A[0, 1] * (A[1, 0] * x1 + u1))
-# Was the control differentiated along with the equation? (hint 2)
+# Was the control differentiated together with the equation? (hint 2)
 second_equation = sp.Eq(x2.diff(t, 2) - A.trace() * x2.diff(t) + A.det() * x2, u1)
 # Was the control lost where $x_1$ was replaced? (hint 1)
 second_equation = sp.Eq(x2.diff(t, 2) - A.trace() * x2.diff(t) + A.det() * x2, u1.diff(t))
@@ -14,7 +14,7 @@ second_equation = sp.Eq(x2.diff(t, 2) - A.trace() * x2.diff(t) + A.det() * x2, u
 second_equation = sp.Eq(
     x2.diff(t, 2) - A.trace() * x2.diff(t) + A.det() * x2, u1.diff(t) + A[0, 0] * u1
 )
-coordinate = [0, 1]  # Is this the coordinate that the control enters at once? (hint 1)
+coordinate = [0, 1]  # Is this the coordinate that the control enters directly? (hint 1)
 # Which sign does the control have in the equation of this coordinate? (hint 2)
 coordinate = [-c for c in coordinate]
 
