@@ -1,5 +1,5 @@
 # %% wrong
-# At which rate does a constant change? (hint 1)
+# At what rate does a constant change? (hint 1)
 a_augmented = [sp.diag(A, 1), sp.Matrix([[1, 0, 1]])]
 # Is the third coordinate the error itself, or a part of it?
 a_augmented = [sp.Matrix([[0, 1, 0], [-k, 0, 0], [0, 0, 0]]), sp.Matrix([[1, 0, 3]])]

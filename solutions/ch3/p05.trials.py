@@ -3,7 +3,7 @@
 angles = [-sp.atan(w / g) + 2 * sp.pi * n, sp.pi - sp.atan(w / g) + 2 * sp.pi * n]
 # Is there only one direction along which the rod can rest? (hint 2)
 angles = [sp.atan(w / g) + 2 * sp.pi * n]
-# Where has the acceleration of the cart gone? (hint 1)
+# Was the acceleration of the cart left out? (hint 1)
 angles = [
     2 * sp.pi * n,
     sp.pi + 2 * sp.pi * n,

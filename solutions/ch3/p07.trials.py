@@ -9,7 +9,7 @@ printed_obstacle = {fast: [1, fast, fast**2]}
 margins = mu < margin  # Is a margin reached where a root lies just on its border? (hint 1)
 margins = sp.true  # Does a hidden mode that decays impose no limit? (hint 1)
 margins = sp.false  # Does every unobservable motion rule out an observer? (hint 1)
-gain = sp.Matrix([0, 0, 0])  # Do the errors decay if the system is left to itself? (hint 1)
+gain = sp.Matrix([0, 0, 0])  # Do the errors decay without a correction? (hint 1)
 # Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 1)
 gain = -gain
 # Were the corrections of the new coordinate taken for those of x? (hint 1)

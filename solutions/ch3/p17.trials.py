@@ -7,7 +7,7 @@ a_region = k > 1
 a_margins = sp.false
 # Is this the bound for a static feedback? With an estimate of the rate more is possible.
 a_margins = mu <= sp.Rational(1, 2)
-a_repaired_region = k > 0  # Was the minus sign before u lost on the way?
+a_repaired_region = k > 0  # Was the minus sign before u lost?
 a_repaired_region = k <= 0  # What do the roots look like if the spring has no stiffness at all?
 # Is this where the roots become complex? Complex roots are allowed.
 a_repaired_region = k < -sp.Rational(1, 4)

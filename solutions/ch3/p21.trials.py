@@ -23,7 +23,7 @@ system = [
 system = [*system[:3], sp.Matrix([[1, weight, 0]])]
 # Were the signs on the left-hand side kept when the terms changed sides?
 system = [sp.Matrix([[0, 1, 0], [0, 0, 1], coefficients]), *system[1:]]
-margins = sp.true  # Was something cancelled on the way? (hint 2)
+margins = sp.true  # Was a common factor cancelled? (hint 2)
 # Is this the margin without any feedback?
 margins = mu <= -sp.real_roots(equation.left)[2]
 # Look at the end of your interval: may all roots be as slow as that one?
@@ -73,7 +73,7 @@ system = [
 # other units
 system = [system[0], 10.0 * system[1], system[2] / 10.0, system[3] / 10.0]
 margins = sp.And(mu > 0, mu - weight <= 0)  # in another form
-# faster roots beside the one that stays
+# faster roots beside the fixed one
 first = sp.Rational(a0, weight) - (weight + 1) * (weight + 2)
 second = 2 * weight + 1 - a2
 gains = [
@@ -102,14 +102,14 @@ coefficients, weight = [
 ]
 misprint = (
     r"(The book prints $\ddot x + 6\dot x + 11x + 6x$ "
-    "and calls the equation one of the third order.)"
+    "but calls this a third-order equation.)"
 )
 shown = [
     r"\dddot x + «coefficients[2]»\ddot x + «coefficients[1]»\dot x + «coefficients[0]»x "
     r"= \dot u + «weight»u, "
     r"\qquad z = «weight»x + \dot x",
     r"$\dot u + «weight»u$",
-    "Which margin can be had?«'\\n\\n' + misprint if weight == 3 else ''»",
+    "Which margin is possible?«'\\n\\n' + misprint if weight == 3 else ''»",
 ]
 product, total = sp.Rational(a0, weight), a2 - weight  # of the roots that are left
 system = [

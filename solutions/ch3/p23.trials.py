@@ -16,7 +16,7 @@ a_gains = [a_gains[0], sp.diag(1, 1, -1) * a_gains[1]]
 # Can an estimate that is never corrected converge?
 a_gains = [a_gains[0], sp.diag(1, 1, 0) * a_gains[1]]
 a_gains = [-a_gains[0], a_gains[1]]  # Is the feedback taken with a minus sign, $u = -Ke$?
-# What is left of the stiffness with this control?
+# How large is the stiffness with this control?
 a_gains = [a_gains[0] + sp.Matrix([[1, 0]]), a_gains[1]]
 # It is stable; is it fast enough?
 growing = acceleration_a[1] + weight
