@@ -4,7 +4,7 @@ slope = sp.Rational(readings[-1] - readings[0], times[-1] - times[0])
 estimate = [readings[0] - slope * times[0], slope]
 # Is this the height in the middle of the times? (hint 2)
 estimate = [sp.Rational(sum(readings), 4), estimate[1]]
-# Was a sign lost on the way from the middle to $t = 0$? (hint 2)
+# Was a sign lost between the middle and $t = 0$? (hint 2)
 estimate = [-estimate[0], estimate[1]]
 # Is this the matrix of the normal equations itself? (hint 1)
 covariance = covariance.inv()
