@@ -1,7 +1,7 @@
 # %% wrong
 # Is the whole circle reached from outside, as for a smaller radius? (hint 2)
 reached = sp.Ne(sp.sin(alpha), 0)
-# Can the control help the motion to come inwards? (hint 1)
+# Can the control make the distance from the centre decrease? (hint 1)
 reached = sp.sin(alpha) * sp.cos(alpha) < 0
 # Was the control followed forwards in time instead of backwards? (hint 2)
 curve = [
@@ -19,7 +19,7 @@ law = sp.Piecewise(
 )
 # Is the switching curve itself a trajectory? (hint 1)
 crossing = [2 * (R * sp.sin(alpha) - sp.tan(alpha)) / sp.cos(alpha) ** 2, 0]
-# In which order do the columns of the determinant stand? (hint 1)
+# What is the order of the columns of the determinant? (hint 1)
 crossing = [
     -R * sp.cos(alpha) * (R * sp.sin(alpha) - sp.tan(alpha)),
     (R * sp.sin(alpha) - sp.tan(alpha)) * (2 / sp.cos(alpha) ** 2 - R * sp.cos(alpha)),

@@ -18,7 +18,7 @@ law = sp.Piecewise(
     (-sp.sign(x2 + sp.sign(x1) * W * sp.sqrt(1 - 1 / (W - R) ** 2)), sp.Abs(x1) > R),
     (-sp.sign(x2), True),
 )
-# Was the sign of the control turned in the second determinant? (hint 1)
+# Was the sign of the control changed in the second determinant? (hint 1)
 crossing = [(sp.sin(alpha) - R * sp.tan(alpha)) * (2 * R / sp.cos(alpha) ** 2 - sp.cos(alpha))] * 2
 continuous = R <= 1  # Does the whole range that is printed keep the time continuous? (hint 1)
 barrier = (1 - x2**2) / 2  # Does the trajectory through the top of the ellipse touch it? (hint 1)

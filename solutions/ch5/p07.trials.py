@@ -28,7 +28,7 @@ b_solvable = x1 + x2 < 1  # Does the other side have no border? (hint 1)
 # About which centre do the hyperbolas of the last arc run? (hint 1)
 b_switching = -sp.sign(x1) * sp.sqrt(sp.Abs(x1**2 - 2 * sp.Abs(x1)))
 b_switching = -x1  # Is this the direction along which free motions decay? (hint 1)
-# Have the two sides of the curve changed places? (hint 1)
+# Are the two sides of the curve interchanged? (hint 1)
 b_law = sp.sign(x2 + sp.sign(x1) * sp.sqrt(x1**2 + 2 * sp.Abs(x1)))
 # Does this hold on both sides of the curve? (hint 1)
 b_time = sp.log(

@@ -1,5 +1,5 @@
 # %% wrong
-# Can the control help the motion to come inwards? (hint 1)
+# Can the control make the distance from the origin decrease? (hint 1)
 reached = sp.sin(alpha) * sp.cos(alpha) < 0
 # About which centre does the motion turn under this control? (hint 1)
 curve = [-R * sp.cos(2 * alpha), R * sp.sin(2 * alpha)]
@@ -18,7 +18,7 @@ n = sp.floor(sp.Abs(x1) / 2)
 law = -sp.sign(x2 + sp.sign(x1) * sp.sqrt(1 - (sp.Abs(x1) - 1 - 2 * n) ** 2))
 # Was a term of the velocity forgotten? (hint 1)
 crossing = [sp.sin(alpha) * (1 - sp.cos(alpha)), -sp.sin(alpha) * (1 + sp.cos(alpha))]
-# Does the semicircle of one radius serve for all? (hint 1)
+# Does the semicircle of one radius hold for all radii? (hint 1)
 in_dispersal = sp.sqrt(1 - (x1 - R + 1) ** 2)
 in_dispersal = 0  # Is the axis the border between the two controls? (hint 2)
 in_law = sp.sign(x2)  # Is it best to push along the velocity at every instant? (hint 1)

@@ -2,7 +2,7 @@
 a_solvable = sp.Abs(x1 + x2) < 1  # Is this the condition for the origin as the target? (hint 2)
 # Can the circle be reached from everywhere, as the problem book says? (hint 1)
 a_solvable = sp.true
-# On which side must the start lie for this motion to meet the circle? (hint 2)
+# On which side must the initial state lie for this motion to meet the circle? (hint 2)
 a_solvable = sp.Or(
     sp.Abs(x1 + x2) < 1,
     sp.And(
@@ -15,7 +15,7 @@ a_solvable = sp.Or(
 )
 # Is every point of this semicircle an end, as for the double integrator? (hint 1)
 a_reached = sp.true
-# Is a part of the arc left out, or too much counted? Put it into H at the end. (hint 1)
+# Is the arc too short, or too long? Insert its ends into the final H. (hint 1)
 a_reached = sp.cos(alpha) < 0
 # Was the arc followed forwards in time instead of backwards? (hint 2)
 r = sp.sqrt((sp.cos(alpha) - sp.sin(alpha)) / (sp.cos(alpha) + sp.sin(alpha)))
@@ -64,7 +64,7 @@ w0, v0 = (
     1 + (R * (sp.cos(alpha) - sp.sin(alpha)) - 1) * r,
 )
 b_right = [(w0 + v0) / 2, (w0 - v0) / 2]
-# Have the two sides changed places? (hint 1)
+# Are the two sides interchanged? (hint 1)
 left = sp.sqrt(x1**2 - R**4 / x1**2)
 b_law = sp.Piecewise(
     (

@@ -6,7 +6,7 @@ a_curve = sp.Rational(3, 2)  # Was the time counted forwards instead of backward
 a_barrier = sp.Rational(1, 2)  # Is the vertical line continued upwards? (hint 1)
 a_barrier = (3 - x2**2) / 2  # Is this the trajectory with the other control? (hint 1)
 a_law = -sp.sign(x1 - x2)  # Is it best to push towards the line all the time? (hint 1)
-# Was the curve forgotten across which the time jumps? (hint 2)
+# Was the curve across which the time jumps forgotten? (hint 2)
 h = sp.Rational(1, 2)
 a_law = sp.Piecewise(
     (sp.Piecewise((1, x1 < h), (-1, True)), x1 > x2), (sp.Piecewise((-1, x1 > -h), (1, True)), True)
@@ -19,7 +19,7 @@ b_curve = -(x2**2) / 8  # Was a factor in the normal lost? (hint 1)
 b_curve = -(x2**2) / 2  # Is this the trajectory to the vertex? (hint 1)
 b_dispersal = x2**2  # Is this a false root, brought in by squaring? (hint 1)
 b_dispersal = 7 * x2**2  # Do both times really agree on this curve? (hint 1)
-# Is it best to push along the velocity inside? (hint 1)
+# Inside the parabola, is it best to push along the velocity? (hint 1)
 b_law = sp.Piecewise(
     (sp.Piecewise((-1, sp.And(x2 > 0, x1 > -(x2**2) / 3)), (1, True)), x1 < x2**2),
     (sp.sign(x2), True),

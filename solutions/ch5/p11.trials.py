@@ -1,7 +1,7 @@
 # %% wrong
 # Does the point turn clockwise or counter-clockwise? (hint 1)
 angular_rate = u * sp.cos(theta) ** 2 + sp.sin(theta) ** 2
-# Did sine and cosine change places? (hint 1)
+# Were sine and cosine interchanged? (hint 1)
 angular_rate = -u * sp.sin(theta) ** 2 - sp.cos(theta) ** 2
 angular_rate = -sp.sqrt(u)  # Is this the mean rate of a whole turn? (hint 1)
 time = 2 * time  # Is this a whole period instead of a half-turn? (hint 1)

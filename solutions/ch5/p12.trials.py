@@ -6,20 +6,20 @@ time = 2 * time  # Is this a half-turn? The motion starts in the middle. (hint 1
 # Is the frequency the stiffness itself, or its root? (hint 2)
 time = sp.pi / (2 * stiffest)
 control = softest  # Is the softest spring the fastest? (hint 1)
-# Does the switching function change its sign on the way? (hint 1)
+# Does the switching function change its sign along the motion? (hint 1)
 control = sp.Piecewise((softest, t < time / 2), (stiffest, True))
 control = -stiffest  # Does the bound allow this value?
-# Which velocity has this motion at the start? (hint 1)
+# What is the initial velocity of this motion? (hint 1)
 trajectory = push * sp.sin(sp.sqrt(stiffest) * t)
 # Is this the motion with the softest spring? (hint 1)
 trajectory = push * sp.sin(sp.sqrt(softest) * t) / sp.sqrt(softest)
-# Is this the start of problem 5.11? (hint 1)
+# Is this the initial state of problem 5.11? (hint 1)
 trajectory = push * sp.cos(sp.sqrt(stiffest) * t)
 # Are these the costates of problem 5.11? (hint 1)
 omega = sp.sqrt(stiffest)
 costate = [-sp.sin(omega * t) / omega, -sp.cos(omega * t) / stiffest]
 costate = [-costate[0], -costate[1]]  # Is $\lambda_0$ positive with this sign? (hint 1)
-# Which sign stands between psi1 and the rate of psi2? (hint 1)
+# Which sign relates psi1 and the rate of psi2? (hint 1)
 costate = [-costate[0], costate[1]]
 # Is this the function of problem 5.11? (hint 1)
 switching = sp.cos(sp.sqrt(stiffest) * t) ** 2 / stiffest

@@ -11,7 +11,7 @@ control = 4  # Is the stiffest spring the slowest? (hint 1)
 control = sp.Piecewise((1, t < sp.pi / 2), (4, True))
 control = sp.Rational(1, 4)  # Does the bound allow so soft a spring?
 trajectory = sp.cos(2 * t)  # Is this the motion with the fastest spring? (hint 1)
-# Does this motion start at the place that is given, with this spring? (hint 1)
+# Does this motion start at the given position, and is the spring the right one? (hint 1)
 trajectory = (3 + sp.cos(2 * t)) / 4
 trajectory = sp.sin(t)  # Is this the start of problem 5.12? (hint 1)
 costate = [-sp.sin(t), -sp.cos(t)]  # Are these the costates for the least time? (hint 1)

@@ -1,16 +1,16 @@
 # %% wrong
-# Have the two arcs changed places? Where does the spring take energy from the mass? (hint 1)
+# Are the two arcs interchanged? Where does the spring take energy from the mass? (hint 1)
 control = sp.Piecewise((u_max, t < sp.pi / (2 * sp.sqrt(u_max))), (u_min, True))
 control = u_max  # Is it good to be stiff on the way out, too? (hint 1)
 control = u_min  # Is it good to stay soft on the way back, too? (hint 1)
-# Is the frequency of the way out the one that the switching time belongs to? (hint 1)
+# Does the switching time belong to the frequency of the way out? (hint 1)
 control = sp.Piecewise((u_min, t < sp.pi / (2 * sp.sqrt(u_max))), (u_max, True))
 # Is the stiffness the frequency? (hint 2)
 control = sp.Piecewise((u_min, t < sp.pi / (2 * u_min)), (u_max, True))
-# Does the mass feel one spring only? (hint 1)
+# Does the stiffness stay the same? (hint 1)
 trajectory = sp.sin(sp.sqrt(u_min) * t) / sp.sqrt(u_min)
 trajectory = sp.sin(sp.sqrt(u_min) * t)  # Is the velocity at the start the given one? (hint 1)
-# Does the mass turn round in the same place for both arcs? (hint 1)
+# Does the mass reverse at the same position on both arcs? (hint 1)
 trajectory = sp.Piecewise(
     (sp.sin(sp.sqrt(u_min) * t) / sp.sqrt(u_min), t < sp.pi / (2 * sp.sqrt(u_min))),
     (sp.cos(sp.sqrt(u_max) * (t - sp.pi / (2 * sp.sqrt(u_min)))) / sp.sqrt(u_max), True),

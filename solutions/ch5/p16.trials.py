@@ -6,7 +6,7 @@ a_control = sp.Piecewise((-bound, t < sp.pi / 2), (bound, True))
 a_trajectory = start * sp.cos(t)  # Is this the motion without a force? (hint 1)
 # Is this the motion with the force in the other direction? (hint 1)
 a_trajectory = (start - bound) * sp.cos(t) + bound
-# Does this motion begin where the mass does? (hint 1)
+# Does this motion start at the initial state? (hint 1)
 a_trajectory = (start + bound) * sp.cos(t)
 a_duration = sp.pi / 2  # Is this a quarter of a period? (hint 1)
 a_duration = 2 * sp.pi  # Is this the second return? (hint 1)
@@ -18,20 +18,20 @@ a_cost = -sp.Rational((start - 2 * bound) ** 2, 2)
 a_costate = [-psi for psi in a_costate]  # Which sign has the costate at the end? (hint 1)
 # Does the costate at the end satisfy transversality? (hint 1)
 a_costate = [sp.cos(t), -sp.sin(t)]
-# Which sign has psi1 in the equation for psi2? (hint 2)
+# Which sign does psi1 have in the equation for psi2? (hint 2)
 a_costate = [a_costate[0], -a_costate[1]]
 b_control = bound  # Is this the end next to zero? (hint 2)
 # Does psi2 change its sign for the farthest end? (hint 1)
 b_control = sp.Piecewise((bound, t < sp.pi / 2), (-bound, True))
 b_control = -2 * bound  # Is this force within its bounds? (hint 1)
 b_trajectory = start * sp.cos(t)  # Is this the motion without a force? (hint 1)
-# Is this the motion to the end next to zero? (hint 1)
+# Is this the motion to the final state nearest to zero? (hint 1)
 b_trajectory = (start - bound) * sp.cos(t) + bound
 b_cost = -sp.Rational(start**2, 2)  # Is this the energy without a force? (hint 1)
 b_cost = -start - 2 * bound  # Is the distance the cost, or the energy? (hint 1)
-# Is the farthest point of the disc beside its centre? (hint 1)
+# Is the farthest point of the disc to the side of its centre? (hint 1)
 b_cost = -sp.Rational(start**2 + 4 * bound**2, 2)
-# Has the costate the direction of the state at the end? (hint 1)
+# Does the costate have the direction of the state at the end? (hint 1)
 b_costate = [-psi for psi in b_costate]
 # Is this the end of the motion without a force? (hint 1)
 b_costate = [start * sp.cos(t), -start * sp.sin(t)]

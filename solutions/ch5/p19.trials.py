@@ -7,7 +7,7 @@ control = sp.Piecewise((-1, t < sp.Rational(3, 4)), (1, True))
 control = 0  # Does the mass move at all? (hint 1)
 control = 2 * t - 1  # Is a force between its bounds the best one? (hint 1)
 trajectory = -(t**2) / 2  # Is the mass braked? (hint 1)
-# Is this a way to the right? (hint 1)
+# Is this a motion to the right? (hint 1)
 trajectory = sp.Piecewise(
     (t**2 / 2, t < sp.Rational(1, 2)), (sp.Rational(1, 4) - (1 - t) ** 2 / 2, True)
 )

@@ -14,10 +14,10 @@ cost = 4 * a / sp.pi  # How does the cost grow with a? (hint 1)
 costate = [4 * a / sp.pi * sp.sin(t), 4 * a / sp.pi * sp.cos(t)]
 # Which costate vanishes at the end? (hint 1)
 costate = [8 * a / sp.pi * sp.cos(t), -8 * a / sp.pi * sp.sin(t)]
-# Which sign has psi1 in the equation for psi2? (hint 1)
+# Which sign does psi1 have in the equation for psi2? (hint 1)
 costate = [-8 * a / sp.pi * sp.sin(t), 8 * a / sp.pi * sp.cos(t)]
 fixed_control = 4 * a / sp.pi * sp.cos(t)  # With which velocity does this force arrive? (hint 2)
-# Which sign has the braking part? (hint 2)
+# Which sign does the braking part have? (hint 2)
 fixed_control = 4 * a * (sp.pi * sp.cos(t) + 2 * sp.sin(t)) / (sp.pi**2 - 4)
 fixed_control = 2 * a * sp.cos(2 * t)  # Is this a solution of the adjoint equation? (hint 1)
 fixed_cost = 4 * a**2 / sp.pi  # Can the additional condition be had for nothing? (hint 1)

@@ -32,7 +32,7 @@ c_still = sp.Rational(
 )  # Is this where the control becomes constant? (hint 1)
 c_still = sp.Rational(*end_c)  # Is this the place divided by the velocity? (hint 1)
 c_best = "yes"  # What is the effort for a still longer duration? (hint 1)
-# Which sign has the mixed term? (hint 1)
+# Which sign does the mixed term have? (hint 1)
 d_effort = 2 * (3 * X**2 + 3 * X * V * T + V**2 * T**2) / T**3
 d_effort = 6 * X**2 / T**3  # Was the velocity at the end forgotten? (hint 1)
 

@@ -4,7 +4,7 @@ costate = [-psi for psi in costate]  # Which sign has the cost in the adjoint eq
 costate = [costate[0], costate[1] - weight * (t - sp.Rational(duration, 2))]
 # Where does the control switch, and where is this second function zero? (hint 2)
 costate = [costate[0], (weight + duration) * t - t**2 / 2]
-# Where should the carriage be while it waits? (hint 1)
+# Where should the carriage be most of the time? (hint 1)
 control = sp.Piecewise((bound, t < sp.Rational(duration, 2)), (-bound, True))
 control = -bound  # Is the velocity zero at the end? (hint 2)
 control = sp.Integer(0)  # Is rest the best there is? (hint 1)

@@ -18,7 +18,7 @@ law = -(sp.sign(x1 - drift_begins) + sp.sign(x1 + x2 * sp.Abs(x2) / 4)) / 2
 # Do the curves look the same for both signs of the velocity? (hint 1)
 k = 2 * price + sp.Rational(1, 2)
 law = sp.Piecewise((-1, x1 > k * x2**2), (0, x1 > x2**2 / 2), (1, True))
-# Does this hold for all three kinds of starts? (hint 2)
+# Does this hold for all three kinds of initial states? (hint 2)
 cost = (1 + price) * b + 2 * sp.sqrt((1 + 2 * price) * (a + b**2 / 2))
 # Is this the time alone?
 speed = sp.sqrt((a + b**2 / 2) / (1 + 2 * price))

@@ -8,8 +8,8 @@ bound_left = -20 * x2 * sp.Abs(x2) / 3  # Was the path of the last arc left out?
 bound_reached = x2 * sp.Abs(x2) / 2
 bound_reached = -43 * x2 * sp.Abs(x2) / 6  # Which of the two curves is met first? (hint 1)
 bound_reached = -x2 * sp.Abs(x2)  # Was a factor of the parabola lost? (hint 1)
-law = -sp.sign(x1 + x2 * sp.Abs(x2) / 2)  # Is the energy free of charge here? (hint 1)
-# Does it pay to switch off the drive between the curves?
+law = -sp.sign(x1 + x2 * sp.Abs(x2) / 2)  # Does the energy cost nothing here? (hint 1)
+# Is it worthwhile to switch off the drive between the curves?
 law = -(sp.sign(x1 + 43 * x2 * sp.Abs(x2) / 6) + sp.sign(x1 + x2 * sp.Abs(x2) / 2)) / 2
 # Does the equation hold for both signs of the velocity? (hint 3)
 law = sp.Eq(
@@ -37,7 +37,7 @@ law = sp.Eq(
     ),
     0,
 )
-# Does the control change evenly with the place, or with the time? (hint 2)
+# Is the control linear in the position, or in time? (hint 2)
 even = u * sp.Rational(20, 3) * x2 * sp.Abs(x2) - 2 * x1 - sp.Rational(23, 3) * x2 * sp.Abs(x2)
 law = sp.Eq(
     sp.Piecewise(
@@ -50,9 +50,9 @@ law = sp.Eq(
 cost = 6 * sp.sqrt(3 * d / 23)  # Is this the time alone? (hint 1)
 cost = sp.sqrt(10 * d)  # Is this the price of fuel? (hint 1)
 cost = 28 * sp.sqrt(3 * d / 23) / 3  # Is the price one half of the energy? (hint 1)
-# Is the energy free of charge here? (hint 1)
+# Does the energy cost nothing here? (hint 1)
 control = sp.Piecewise((-1, t < sp.sqrt(d)), (1, True))
-# Does the control change along one straight line from the start to the end? (hint 1)
+# Is the control linear in time from the initial time to the final one? (hint 1)
 control = t / (3 * sp.sqrt(3 * d / 23)) - 1
 # Are the outer arcs as long as the middle one? (hint 1)
 control = sp.Piecewise(
@@ -67,7 +67,7 @@ duration = sp.sqrt(23 * d / 3)  # Is this what the transfer costs? (hint 1)
 costate = [sp.sqrt(23 / (12 * d)), sp.Rational(3, 2) - t * sp.sqrt(23 / (12 * d))]
 # Does the control leave its bound at once? (hint 1)
 costate = [-sp.sqrt(23 / (12 * d)), t * sp.sqrt(23 / (12 * d)) - 1]
-# Which sign has the first costate in the equation for the second one? (hint 1)
+# Which sign does the first costate have in the equation for the second one? (hint 1)
 costate = [sp.sqrt(23 / (12 * d)), t * sp.sqrt(23 / (12 * d)) - sp.Rational(3, 2)]
 
 # %% right

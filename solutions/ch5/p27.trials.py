@@ -1,7 +1,7 @@
 # %% wrong
 # Was the velocity made zero at the free end, as without a cost there? (hint 2)
 a_motion = sp.cosh(t)
-# Which sign does the cost at the end give to the natural condition? (hint 2)
+# Which sign does the terminal cost have in the natural condition? (hint 2)
 a_motion = sp.exp(-t)
 a_motion = sp.cos(t) + sp.sin(t)  # Did the sign in Euler's equation turn round? (hint 1)
 a_value = sp.exp(2) - 1  # Was the cost at the end left out? (hint 1)

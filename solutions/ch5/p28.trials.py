@@ -3,7 +3,7 @@
 a_motion = t**4
 a_motion = t**4 - 2 * t**3 + t**2  # Was the right end held, place and slope? (hint 1)
 a_motion = 6 * t**2 - 4 * t**3  # Was the load forgotten in the equation? (hint 1)
-# Which sign has psi1 in the adjoint equation for psi2? (hint 2)
+# Which sign does psi1 have in the adjoint equation for psi2? (hint 2)
 a_costate = [48 * (t - 1), 24 * (1 - t) ** 2]
 a_costate = [24 * (1 - t), 12 * (1 - t) ** 2]  # Was a factor lost where H is greatest? (hint 1)
 # Is this the integral of the squared second derivative alone? (hint 1)
@@ -14,7 +14,7 @@ b_motion = sp.sin(t)  # Is the slope at the right end as given? (hint 1)
 # Was the second derivative made zero at the right end, instead of the third? (hint 2)
 q = 1 / (sp.cosh(sp.pi / 2) + sp.sinh(sp.pi / 2) + 1)
 b_motion = q * (sp.cosh(t) - sp.cos(t)) + q * sp.sinh(t) + (1 - q) * sp.sin(t)
-# Did the costates change places? (hint 1)
+# Were the two costates interchanged? (hint 1)
 B = (1 - sp.sinh(sp.pi / 2)) / (2 * sp.cosh(sp.pi / 2))
 b_costate = [
     sp.cosh(t) + sp.cos(t) + 2 * B * sp.sinh(t) - 2 * (1 - B) * sp.sin(t),

@@ -6,7 +6,7 @@ pontryagin = psi_h * v + psi_v * (g - P / m) + psi_m * P / c
 # Is the mass an integral here? (hint 1)
 pontryagin = psi_h * v + psi_v * (g - P / m) - psi_m * P / c + m
 adjoint = [0, psi_h, psi_v * P / m**2]  # Which sign stands before the derivatives of $H$? (hint 1)
-# Which sign has the thrust in $H$, and which its derivative in $m$? (hint 1)
+# Which sign does the thrust have in $H$, and which its derivative in $m$? (hint 1)
 adjoint = [0, -psi_h, psi_v * P / m**2]
 adjoint = [v, g - P / m, -P / c]  # Are these the equations of the motion itself? (hint 1)
 transversality = [psi_h - 1]  # Is the height free at the end, or the mass? (hint 1)
@@ -35,9 +35,9 @@ height = (c**2 * sp.log(m0 / m_k) ** 2 - v0**2) / (2 * g) - c**2 / P_max * (
 law = P_max  # Is the vehicle to hover, or to come down? (hint 1)
 # What does gravity do during the burn? (hint 2)
 law = sp.Piecewise((P_max, v >= c * sp.log(m / m_k)), (0, True))
-# Is this the order of a rocket that climbs? (hint 1)
+# Is this the order for a rocket that climbs? (hint 1)
 law = sp.Piecewise((P_max, m > m_k), (0, True))
-# Does it pay to come down at a constant speed? (hint 1)
+# Is it worthwhile to descend at a constant speed? (hint 1)
 law = sp.Piecewise((m * g, v >= 0.3), (0, True))
 # Was the mass taken as a constant during the burn? (hint 2)
 control = [[0, sp.sqrt(2)], [2, 2 * sp.sqrt(2)]]

@@ -1,16 +1,16 @@
 # %% wrong
-# Which sign has the vertical part of the thrust in the equations?
+# Which sign does the vertical component of the thrust have in the equations?
 pontryagin = psi1 * v_x + psi2 * v_y + a * psi3 * sp.cos(theta) - a * psi4 * sp.sin(theta)
-# Is the cost an integral here, or does it stand at the end? (hint 1)
+# Is the cost an integral here, or a terminal cost? (hint 1)
 pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta)) - 1
 adjoint = [0, 0, psi1, psi2]  # Which sign stands before the derivative of $H$?
 adjoint = [0, 0, 0, 0]  # Does $H$ not change with the velocity? (hint 1)
-# Is a great coordinate with a positive weight good or bad for this cost? (hint 1)
+# Is a large coordinate with a positive weight good or bad for this cost? (hint 1)
 transversality = [psi1 + k1, psi2 + k2, psi3 + k3, psi4 + k4]
 transversality = [psi1, psi2, psi3, psi4]  # Does the cost not depend on the end? (hint 1)
 # What is integrated to get the time? (hint 1)
 time_pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta))
-# Is the time to be great or small? (hint 1)
+# Is the time to be maximised or minimised? (hint 1)
 time_pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta)) + 1
 time_transversality = [psi1, psi2]  # Is the place free at the end, or the velocity? (hint 1)
 time_transversality = [psi1, psi2, psi3, psi4]  # Can all costates vanish together? (hint 1)

@@ -6,7 +6,7 @@ a_transversality = [psi1, psi2, psi3 - 1]  # Is the height at the end free? (hin
 a_law = mu * (T - t)
 a_law = T / 2 - t  # Is height worth as much as speed, whatever its price? (hint 1)
 a_law = mu * (t - T / 2)  # Does the rocket begin with a dive? (hint 1)
-# Which vertical speed is left if the thrust is never below the horizon? (hint 1)
+# Which vertical speed is left if the thrust is never below the horizontal? (hint 1)
 a_slope = sp.tan(theta0) / T
 a_slope = 2 * theta0 / T  # Is it the angle that falls linearly, or its tangent?
 a_shortest = sp.sqrt(2 * h / a)  # Which vertical speed has the rocket when it comes there? (hint 1)
@@ -30,7 +30,7 @@ b_motion = [
 ]
 # Does the rocket keep one direction in each half of the time? (hint 1)
 b_height = a * T**2 / 4 * sp.sin(theta0)
-# Which angle has the thrust at the end: does it point along the line? (hint 1)
+# What is the angle of the thrust at the end: does it point along the line? (hint 1)
 b_height = (
     a
     * T**2

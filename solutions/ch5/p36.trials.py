@@ -5,21 +5,21 @@ pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin
 pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta))
 adjoint = [0, 0, -psi1, -psi2 - g]  # Is gravity multiplied by a state in $H$? (hint 1)
 adjoint = [0, 0, psi1, psi2]  # Which sign stands before the derivative of $H$?
-# Is a great coordinate with a positive weight good or bad?
+# Is a large coordinate with a positive weight good or bad?
 transversality = [psi1 + k1, psi2 + k2, psi3 + k3, psi4 + k4]
 transversality = [psi1, psi2, psi3, psi4]  # Does the cost not depend on the end? (hint 1)
 # Is the cosine of your angle ever negative? (hint 2)
 angle = sp.atan((k4 + k2 * (T - t)) / (k3 + k1 * (T - t)))
-# Does the term with gravity depend on the angle? (hint 1)
+# Does the gravity term depend on the angle? (hint 1)
 angle = sp.atan2(k4 + k2 * (T - t) + g / a, k3 + k1 * (T - t))
 angle = sp.atan2(k4 - k2 * t, k3 - k1 * t)  # At which end are the values of the costates known?
-# Does the term with gravity depend on the angle? (hint 1)
+# Does the gravity term depend on the angle? (hint 1)
 tangent = (k4 + k2 * (T - t)) / (k3 + k1 * (T - t)) + g / a
 # Which component of the thrust is in the numerator of a tangent? (hint 1)
 tangent = (k3 + k1 * (T - t)) / (k4 + k2 * (T - t))
 shortest = 2 * sp.sqrt(h / a)  # Is this the time without gravity? (hint 1)
 shortest = 2 * sp.sqrt(h / (a - g))  # Does the rocket brake as slowly as it gains speed? (hint 1)
-# Which vertical speed has the rocket when it comes there? (hint 1)
+# What is the vertical speed of the rocket when it gets there? (hint 1)
 shortest = sp.sqrt(2 * h / (a - g))
 # Is the vertical speed zero at the end with this angle, if gravity acts? (hint 1)
 last = -sp.tan(theta0)

@@ -1,16 +1,16 @@
 # %% wrong
 # Does a climb make the point faster? (hint 1)
 a_pontryagin = psi1 * v * sp.cos(theta) + psi2 * v * sp.sin(theta) + psi3 * g * sp.sin(theta)
-# Is the cost an integral here, or does it stand at the end? (hint 1)
+# Is the cost an integral here, or a terminal cost? (hint 1)
 a_pontryagin = psi1 * v * sp.cos(theta) + (psi2 * v - psi3 * g) * sp.sin(theta) + x
-# Which sign stands before the derivative of $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [0, 0, psi1 * sp.cos(theta) + psi2 * sp.sin(theta)]
 # Was $H$ differentiated with respect to the control as well? (hint 1)
 a_adjoint = [0, 0, -psi1 * sp.cos(theta) - psi2 * sp.sin(theta) + g * sp.cos(theta) * psi3]
-# Which sign does a range have that is to be great? (hint 1)
+# Which sign does a range that is to be maximised have in a cost? (hint 1)
 a_transversality = [psi1 + 1, psi2, psi3]
 a_transversality = [psi1 - 1, psi2]  # Is the speed prescribed at the end? (hint 1)
-# Which sign has the weight in the third equation? (hint 1)
+# Which sign does the weight have in the third equation? (hint 1)
 a_direction = sp.atan2(psi2 * v + psi3 * g, psi1 * v)
 # For which signs does this angle make $H$ least? (hint 2)
 a_direction = sp.atan((psi2 * v - psi3 * g) / (psi1 * v))
@@ -18,7 +18,7 @@ a_direction = sp.atan((psi2 * v - psi3 * g) / (psi1 * v))
 a_equation = -g * sp.cos(theta) / v
 # Is this what comes out if the bracket at the rate of the angle is taken for $v$? (hint 2)
 a_equation = g / v
-# Which sign has each of the two terms that give the weight? (hint 2)
+# Which sign does each of the two terms with the weight have? (hint 2)
 a_equation = g * sp.cos(theta) * sp.cos(2 * theta) / v
 a_portrait = v * sp.cos(theta)  # Which sign did the logarithm of the cosine get? (hint 1)
 a_portrait = v**2 / 2  # Is the height constant? (hint 1)

@@ -7,15 +7,15 @@ pontryagin = psi1 * v * sp.cos(theta) + psi2 * v * sp.sin(theta) + psi3 * (v**2 
 adjoint = [0, 0, -psi1 * sp.cos(theta) - psi2 * sp.sin(theta)]
 # Follow the two minus signs of the drag. (hint 1)
 adjoint = [0, 0, -psi1 * sp.cos(theta) - psi2 * sp.sin(theta) - 2 * v * psi3]
-# Which sign does a range have that is to be great? (hint 1)
+# Which sign does a range that is to be maximised have in a cost? (hint 1)
 transversality = [psi1 + 1, psi2, psi3]
 transversality = [psi1 - 1, psi2]  # Is the speed prescribed at the end? (hint 1)
 equation = sp.cos(theta) / v  # Is this the flight without drag? (hint 1)
-# Was the drag put into the equation of the speed only? (hint 2)
+# Was the drag inserted only in the equation of the speed? (hint 2)
 equation = sp.cos(theta) / v * (1 + v**2 * sp.sin(theta))
-# Which sign has the drag in the adjoint equation? (hint 1)
+# Which sign does the drag have in the adjoint equation? (hint 1)
 equation = sp.cos(theta) / v * (1 - v**2 * sp.sin(theta))
-# Is the other factor of the rate looked at as well? (hint 1)
+# Can the other factor of the rate vanish as well? (hint 1)
 rest = [[-sp.asin(1 / sp.sqrt(3)), 3 ** sp.Rational(-1, 4)]]
 rest = [[-sp.pi / 2, 1]]  # Which other factor does the rate of the angle have? (hint 1)
 # Was a root of the speed forgotten? (hint 2)
@@ -24,18 +24,18 @@ rest = [[-sp.asin(1 / sp.sqrt(3)), 1 / sp.sqrt(3)], [-sp.pi / 2, 1]]
 glide_matrix = [[-2 * 3**-0.25, -sp.sqrt(2) / sp.sqrt(3)], [-2 * sp.sqrt(2), 2 * 3**-0.25]]
 # Does the bracket in the rate of the angle depend on the angle, too? (hint 1)
 glide_matrix = [[0, -2 * sp.sqrt(2)], [-sp.sqrt(2) / sp.sqrt(3), -2 * 3**-0.25]]
-# Is the steady glide stable for a fixed angle, or for the angle that moves? (hint 1)
+# Is the steady glide stable for a fixed angle, or for an angle that varies? (hint 1)
 glide_kind = "stable node"
 # A first integral allows two kinds. Which sign distinguishes them? (hint 1)
 glide_kind = "centre"
 fall_matrix = [[2, 0], [0, -2]]  # Which sign has the bracket at the fall? (hint 1)
 fall_matrix = [[-2, -1], [-1, -2]]  # What is the derivative of the sine at this angle? (hint 1)
 fall_kind = "saddle"  # Which sign has the bracket at the fall? (hint 1)
-fall_kind = "stable node"  # Are there two directions that stand out, or more? (hint 1)
+fall_kind = "stable node"  # Does the matrix have two eigendirections, or more? (hint 1)
 portrait = v / sp.cos(theta)  # Is this constant without drag only? (hint 2)
-# Which sign has the last costate in a dive? (hint 2)
+# Which sign does the last costate have in a dive? (hint 2)
 portrait = (v - v**3 * sp.sin(theta)) / sp.cos(theta)
-# Is this the speed of the glide, or what it gains in the horizontal? (hint 1)
+# Is this the speed of the glide, or its horizontal component? (hint 1)
 pace = 3 ** sp.Rational(-1, 4)
 pace = sp.sqrt(2) / 3  # Was a root of the speed forgotten? (hint 1)
 greatest = sp.log(5)  # Is this a level flight? (hint 1)

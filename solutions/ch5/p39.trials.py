@@ -1,10 +1,10 @@
 # %% wrong
-# Is the time to be long here? (hint 1)
+# Is the time to be maximised here? (hint 1)
 a_pontryagin = psi_x * (sailing[0] + U) + psi_y * (sailing[1] + V) + 1
 a_pontryagin = psi_x * sailing[0] + psi_y * sailing[1] - 1  # Does the water stand still? (hint 2)
 # Which function is differentiated with respect to which coordinate? (hint 1)
 a_adjoint = [-psi_x * U.diff(x) - psi_y * U.diff(y), -psi_x * V.diff(x) - psi_y * V.diff(y)]
-# Which sign stands before the derivative of $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [psi_x * U.diff(x) + psi_y * V.diff(x), psi_x * U.diff(y) + psi_y * V.diff(y)]
 a_maximum = sp.atan(psi_y / psi_x)  # What does this give when $\psi_x$ is negative? (hint 2)
 a_maximum = sp.atan2(-psi_y, -psi_x)  # Is $H$ greatest or least on this heading? (hint 1)
@@ -15,7 +15,7 @@ a_equation = (
     + (U_x - V_y) * sp.sin(theta) * sp.cos(theta)
     - U_y * sp.cos(theta) ** 2
 )
-# To which side does a front turn whose left wing runs faster? Follow the signs once more. (hint 2)
+# To which side does a front turn whose left part moves faster? Follow the signs once more. (hint 2)
 a_equation = (
     U_y * sp.cos(theta) ** 2
     - (U_x - V_y) * sp.sin(theta) * sp.cos(theta)
@@ -31,7 +31,7 @@ b_time = sp.sqrt(X**2 + Y**2) / v  # Is this the time in still water? (hint 1)
 b_time = sp.sqrt(X**2 + Y**2) / (v + w * X / sp.sqrt(X**2 + Y**2))
 # Where does the water carry a ship that points at its target? (hint 1)
 b_heading = sp.atan2(Y, X)
-# Is the drift to be added to what the ship has to make good, or taken away? (hint 1)
+# Is the drift to be added to the required displacement, or subtracted? (hint 1)
 b_heading = sp.atan2(
     Y, X + w * (X**2 + Y**2) / (w * X + sp.sqrt(v**2 * (X**2 + Y**2) - w**2 * Y**2))
 )
@@ -39,7 +39,7 @@ b_side = d * v / w  # Is the ship to point straight across the current? (hint 2)
 # A side and the hypotenuse of which triangle are $v$ and $w$? (hint 2)
 b_side = d * v / sp.sqrt(w**2 + v**2)
 c_heading = sp.atan(T - t)  # Where does the ship arrive on this course? (hint 2)
-# Is the way along the bank the fastest, though the water is faster farther out? (hint 1)
+# Is the path along the bank the fastest, though the water is faster farther out? (hint 1)
 c_heading = sp.Integer(0)
 c_heading = sp.atan(t - T / 2)  # Does the ship leave the bank for the faster water? (hint 1)
 c_distance = T  # Is this the way along the bank? (hint 1)
