@@ -3,16 +3,27 @@
 (() => {
   /* The weight of each kind: what states a thing, then the problems about it, then what mentions it. */
   const WEIGHTS = {
-    Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .6, Function: .8,
-    Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4,
+    Chapter: 3, Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .6, Function: .8,
+    Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4, Check: .2,
   };
+  /* What readers write before the number of a place, in English and Russian: "Theorem 1.2", "eq. (3.7)", "§3.2", "задача 5.26".
+     A number alone is that of a problem, one in parentheses that of an equation. */
+  const REFERENCES = {
+    Problem: /^(?:problem|exercise|задача)?$/, Equation: /^(?:equation|eq|formula|уравнение|формула|\()$/, Theorem: /^(?:theorem|thm|теорема)$/,
+    Definition: /^(?:definition|def|определение)$/, Lemma: /^(?:lemma|лемма)$/, Example: /^(?:example|пример)$/,
+    Section: /^(?:section|sec|раздел|параграф|§)$/, Chapter: /^(?:chapter|ch|глава)$/,
+  };
+  const REFERENCE = /^(\p{L}*|§)\.?\s*(\(?)(\p{N}+(?:\.\p{N}+)*[a-z]?)\)?$/u;
+  /* Words that say nothing about a place. */
+  const STOP = new Set(["a", "an", "and", "by", "for", "how", "in", "is", "of", "on", "the", "to", "what", "with"]);
   const NAMES = { Term: "Glossary", Library: "Module" };
   const SHOWN = 30;
   const FORMULA = /\\\(.*?\\\)/g;
   const RUSSIAN_ENDING = /(?:иями|ями|ами|ого|его|ому|ему|ыми|ими|иях|ией|ия|ий|ие|ии|ию|ая|яя|ое|ее|ые|ый|ой|ую|юю|ей|ов|ев|ам|ям|ах|ях|ом|ем|ых|их|ы|и|а|я|о|е|у|ю|ь|й)$/;
 
   /* Words, and numbers such as 1.15 and 1.15a, which are one word. */
-  const tokenize = (text) => (text.replace(/['’]s\b/g, "").match(/\p{N}+(?:\.\p{N}+)*[a-z]?(?!\p{L})|\p{L}[\p{L}\p{M}\p{N}]*/gu) || []);
+  const tokenize = (text) => (text.replace(/['’]s\b/g, "").match(/\p{N}+(?:\.\p{N}+)*[a-z]?(?!\p{L})|\p{L}[\p{L}\p{M}\p{N}]*/gu) || [])
+    .filter((word) => !STOP.has(word.toLowerCase()));
   const fold = (text) => text.toLowerCase().normalize("NFD").replace(/(?<!и)\p{M}/gu, "").normalize("NFC");
   const stem = (word) => {
     const folded = fold(word);
@@ -27,7 +38,7 @@
   /* The author's label of a place has its keywords: sec-5-lqr. */
   const anchorOf = (entry) => entry.url.split("#")[1].replace(/[-_]/g, " ");
 
-  /* Return the index of the entries as a function: query -> entries, best first. */
+  /* Return the index of the entries as a function: query -> entries, best first; `isComplete` says whether they have all words. */
   const indexOf = async (entries) => {
     const index = new MiniSearch({
       fields: ["number", "title", "terms", "anchor", "text"],
@@ -50,19 +61,24 @@
 
     /* An entry whose title or one of whose terms is the query, or contains it as a phrase, comes before one that has its
        words here and there. */
-    const closeness = (entry, query, phrase) => {
-      if (entry.kind === "Problem" && entry.number === query || entry.kind === "Equation" && entry.title === query) return 20;
+    const closeness = (entry, phrase) => {
       const names = [entry.title, `${entry.kind} ${entry.number || ""}`, anchorOf(entry), ...(entry.terms || [])].map(stems);
       return names.includes(phrase) ? 4 : names.some((name) => has(name, phrase)) ? 3 : 1;
     };
+    /* Return the entries with all words of the query; else with words one or two letters away. */
+    const fuzzy = (term) => term.length > 5 && .35;
+    const withAll = (query) => [{}, { fuzzy, maxFuzzy: 2 }].map((options) => index.search(query, { combineWith: "AND", ...options })).find((hits) => hits.length);
     return (query) => {
+      const [, word, bracket, number] = query.toLowerCase().match(REFERENCE) || [];
+      const kind = number && Object.keys(REFERENCES).find((name) => REFERENCES[name].test(word || bracket));
+      const named = kind ? entries.filter((entry) => entry.kind === kind && (entry.number || "").split(" ").includes(number)) : [];
       const phrase = stems(query);
-      let hits = index.search(query, { combineWith: "AND" });
-      if (!hits.length) hits = index.search(query);
-      return hits
-        .map(({ id, score }) => ({ entry: entries[id], score: score * WEIGHTS[entries[id].kind] * closeness(entries[id], query, phrase) }))
+      const complete = withAll(kind ? number : query);
+      const others = (complete || index.search(query))
+        .map(({ id, score }) => ({ entry: entries[id], score: score * WEIGHTS[entries[id].kind] * closeness(entries[id], phrase) }))
         .sort((a, b) => b.score - a.score || a.entry.id - b.entry.id)
         .map(({ entry }) => entry);
+      return Object.assign([...new Set([...named, ...others])], { isComplete: Boolean(complete) });
     };
   };
 
@@ -130,8 +146,8 @@
       const hits = bookSearch.search(query);
       list.replaceChildren(...hits.slice(0, SHOWN).map((entry) => row(entry, query)));
       dialog.scrollTop = list.scrollTop = 0;
-      status.textContent = hits.length > SHOWN ? `The best ${SHOWN} of ${hits.length} places`
-        : `${hits.length || "No"} ${hits.length === 1 ? "place" : "places"}`;
+      const count = hits.length > SHOWN ? `the best ${SHOWN} of ${hits.length} places` : `${hits.length || "no"} ${hits.length === 1 ? "place" : "places"}`;
+      status.textContent = !hits.length || hits.isComplete ? count[0].toUpperCase() + count.slice(1) : `No place has all these words; ${count} with some of them`;
       // one after the other: MathJax must not be called while it works
       if (window.MathJax?.typesetPromise) typesetting = typesetting.then(() => MathJax.typesetPromise([list])).catch(() => {});
     };

@@ -137,6 +137,19 @@ FIRST = {
     "1.15": "ch1/p15.html#problem-1.15",
     "1.3": "ch1/p03.html#problem-1.3",
     "Problem 5.66": "ch5/p66.html#problem-5.66",
+    "theorem 1.2": "book/ch1/hurwitz.html#thm-1-2",
+    "теорема 1.2": "book/ch1/hurwitz.html#thm-1-2",
+    "def. 2.1": "book/ch2/observability.html#def-2-1",
+    "eq. (3.7)": "book/ch3/output_feedback.html#eq-3-7",
+    "§3.2": "book/ch3/state_feedback.html#sec-3-feedback",
+    "section 2.5": "book/ch2/observability.html#sec-2-observability",
+    "chapter 5": "book/ch5.html#optimal-control-of-motion",
+    "глава 5": "book/ch5.html#optimal-control-of-motion",
+    "5.26": "ch5/p26.html#problem-5.26",
+    "задача 5.26": "ch5/p26.html#problem-5.26",
+    "how to install": "book/guides/student.html#install-the-workbook",
+    "switching curve": "book/ch5/synthesis.html#def-dispersal",
+    "place": "book/library/feedback.html#library-feedback-place",
     "hurwitz_minors": "book/library/stability.html#library-stability-hurwitz_minors",
 }
 #: Query: a page with the section that states it.
@@ -149,7 +162,19 @@ STATED = {
     "фильтр Калмана": "book/ch4/(continuous|discrete)_filter.html",
     "критерия Гурвица": "book/ch1/hurwitz.html",
     "maximum principle": "book/ch5/maximum_principle.html",
-    "linearization": "book/ch1",
+    "linearization": "book/ch1/",
+    "the Kalman filter": "book/ch4/(continuous|discrete)_filter.html",
+    "Kalman-Bucy": "book/ch4/continuous_filter.html",
+    "Rikkati": "book/(ch4/continuous_filter|ch5/stabilisation).html",
+    "Routh": "book/ch1/hurwitz.html",
+    "bang-bang": "book/ch5/maximum_principle.html",
+    "minimum time": "book/ch5/maximum_principle.html",
+    "transversality": "book/ch5/maximum_principle.html",
+    "observer": "book/ch3/observers.html",
+    "Luenberger observer": "book/ch3/observers.html",
+    "separation principle": "book/ch3/output_feedback.html",
+    "Euler-Lagrange": "book/ch5/least_energy.html",
+    "устойчивость по Ляпунову": "book/ch1/linear_stability.html",
 }
 #: Query: a problem that is among the first hits, by its topic.
 TOPICS = {
@@ -192,6 +217,11 @@ def test_a_term_leads_to_the_section_that_states_it_then_to_problems(hits_of, qu
     kind, address = hits[0]
     assert kind == "Section" and re.match(page, address)
     assert "Problem" in [kind for kind, _ in hits[:10]]
+
+
+def test_a_word_that_the_book_does_not_have(dialog, browser):
+    dialog("deadbeat observer")
+    assert browser.find("#search-status").text.startswith("No place has all these words; ")
 
 
 @pytest.mark.parametrize("query, page", TOPICS.items())

@@ -41,11 +41,14 @@ LABEL = re.compile(r"(sec|exm|err|library|lecture)-")
 CHAPTER = re.compile(r"book/ch(\d+)")
 #: The kind of a section by the folder of its page.
 SECTIONS = {
+    "book/guides/cases/": "Check",
     "book/lectures/": "Lecture",
     "book/guides/": "Guide",
     "book/errata/": "Errata",
     "book/library/": "Library",
 }
+#: Sections of the problem book that a page of the chapter follows, as the chapter's page says: "§2.2 and §2.5".
+NUMBERS = re.compile(r"§(\d\.\d)")
 #: A longer formula is not quoted.
 LONGEST_FORMULA = 120
 FILE = "search-entries.js"
@@ -80,9 +83,9 @@ def _is_unresolved(node):
 class PageEntries:
     """The entries of one page, in their order.
 
-    An entry has a kind, a number, a title, further terms that lead to it, a text, an anchor, the ids
-    inside it, and as its parent the index of the entry that holds it. `descriptions` are what a
-    chapter's page says of its sections: page -> text.
+    An entry has a kind, a number (or two, of a section), a title, further terms that lead to it, a
+    text, an anchor, the ids inside it, and as its parent the index of the entry that holds it.
+    `descriptions` are what a chapter's page says of its sections: page -> text.
     """
 
     def __init__(self, page, document, problem=None):
@@ -133,6 +136,9 @@ class PageEntries:
             return self._add("Example", title, anchor, parent, number=".".join(example.groups()))
         if anchor.startswith("library-"):
             return self._add("Function", title, anchor, parent)
+        if parent is None and (chapter := CHAPTER.fullmatch(self.page)):
+            title = f"Chapter {chapter[1]}: {title}"
+            return self._add("Chapter", title, anchor, None, number=chapter[1])
         folder = next(filter(self.page.startswith, SECTIONS), None)
         return self._add(SECTIONS.get(folder, "Section"), title, anchor, parent)
 
@@ -215,7 +221,9 @@ def entries(env):
     for page, read in pages.items():
         for target, description in read.descriptions.items():
             if collected.get(target):
-                collected[target][0]["terms"] += re.split(r"[,;] ", description)
+                section = collected[target][0]
+                section["number"] = " ".join(NUMBERS.findall(description))
+                section["terms"] += re.split(r"[,;] ", description)
         for term in collected[page]:
             for label in term.get("introduced", ()):
                 _add_names(collected, *holders.get(label, (page, None)), term)
@@ -228,7 +236,7 @@ def entries(env):
 def _add_names(collected, page, k, term):
     """Add a term's words, English and Russian, to the entry that introduces it and those around it."""
     while k is not None:
-        collected[page][k]["terms"] += [term["title"], *term["terms"]]
+        collected[page][k]["terms"] += [*term["title"].split(", "), *term["terms"]]
         k = collected[page][k]["parent"]
 
 
