@@ -50,16 +50,9 @@ def refuse_first_integrals(numeric: NumericProblem) -> None:
         margin = MARGIN * _size(p, _largest(problem))
         if float(low) - margin <= float(value) <= float(high) + margin:
             continue
-        asked = (
-            f"{sp.sstr(low)}"
-            if low == high
-            else f"at least {sp.sstr(low)}"
-            if low != -sp.oo
-            else f"at most {sp.sstr(high)}"
-        )
         raise Infeasible(
             f"no control leads to the target: {sp.sstr(p)} = {sp.sstr(value)} at all times, whatever the "
-            f"control (a first integral of the plant), and the target asks for {asked}. Choose an end "
+            f"control (a first integral of the plant), and the target asks for {_in_words(low, high)}. Choose an end "
             "that keeps to this equation."
         )
 
@@ -195,3 +188,10 @@ def _range(r):
     if hessian.is_positive_definite:
         return least, sp.oo
     return (-sp.oo, least) if hessian.is_negative_definite else (-sp.oo, sp.oo)
+
+
+def _in_words(low, high):
+    """Return the values from low to high, one of which is finite, as text."""
+    if low == high:
+        return sp.sstr(low)
+    return f"at least {sp.sstr(low)}" if low != -sp.oo else f"at most {sp.sstr(high)}"
