@@ -99,7 +99,8 @@ MOVE, SEEN, SOLVED = map(
 )
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/phase_plane")
 LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
-LISTS = cases("stability/equilibrium_families")
+LISTS, POINT = cases("stability/equilibrium_families"), cases("stability/stationary_points")
+VARIED = cases("pontryagin/functionals")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))
@@ -141,8 +142,8 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
             "right",
             "z stays zero",
         ),
-        ("research.bound_violating_error", [0, 0, HUGE], SOLVED.BOUND, "invalid", "finite"),
-        ("research.multiple_eigenvalues", HUGE, SPLINE.MULTIPLE, "invalid", "finite"),
+        ("research.bound_violating_error", [0, 0, HUGE], SOLVED.BOUND, "invalid", "below 1e+50"),
+        ("research.multiple_eigenvalues", HUGE, SPLINE.MULTIPLE, "invalid", "below 1e+50"),
         (
             "unbounded_motion",
             [HUGE * LINES.t**2, HUGE],
@@ -159,12 +160,21 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
         ),
         ("equilibrium_values", [sp.pi * LISTS.n, HUGE], LISTS.PENDULUM, "wrong", "larger than"),
         ("equilibrium_values", [sp.pi * LISTS.n, sp.oo], LISTS.PENDULUM, "wrong", "infinite"),
+        ("equilibrium_values", [HUGE**2], LISTS.PENDULUM, "wrong", "larger than 1e+50"),
+        ("time_optimal_law", HUGE**2, LAW.ORIGIN, "wrong", "too large to be computed with"),
+        ("minimal_time", HUGE**2, LAW.ORIGIN, "wrong", "too large to be computed with"),
+        ("optimal_motion", HUGE**2 * MOVE.t, (MOVE.REST, MOVE.t), "wrong", "too large"),
+        ("optimal_control", [(HUGE, HUGE**2)], (MOVE.REST, MOVE.t), "wrong", "too large"),
+        ("extremum_motion", HUGE**2 * VARIED.t, (VARIED.GROWTH,), "wrong", "too large"),
+        ("extremum_motion", 1 + HUGE * VARIED.t, (VARIED.GROWTH,), "wrong", "too large"),
+        ("extremum_value", HUGE**2, (VARIED.GROWTH,), "wrong", "too large to be computed with"),
+        ("stationary_value", HUGE**2, (POINT.P, *POINT.ROCKET), "wrong", "too large"),
         (
             "first_integral",
             PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta) + sp.oo,
             PLANE.NO_DRAG,
             "wrong",
-            "not real",
+            "no real number",
         ),
         (
             "first_integral",
@@ -173,7 +183,7 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
             + sp.log(sp.Abs(PLANE.v) - PLANE.v),
             PLANE.NO_DRAG,
             "wrong",
-            "not real",
+            "no real number",
         ),
     ],
 )

@@ -167,6 +167,8 @@ def as_number(answer):
         number = complex(value.evalf(30))
     except TypeError:
         raise Invalid("expected a single real number") from None
+    if value.is_finite and abs(number) >= LARGEST:
+        raise Invalid(f"expected a number below {LARGEST:g}")
     if not abs(number) < LARGEST or abs(number.imag) > 1e-12 * (1 + abs(number.real)):
         raise Invalid("expected a finite real number")
     return sp.re(value) if value.is_real is not True else value

@@ -6,6 +6,7 @@ import sympy as sp
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import NO_NUMBER
 
 #: Relative excess over the fastest time that is allowed: a switching curve may be written in
 #: decimals.
@@ -213,7 +214,7 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                 if np.isnan(nearby_values).all():
                     raise Wrong(
                         f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where "
-                        "it gives no real number"
+                        f"it gives {NO_NUMBER}"
                     )
                 # On a curve alone a law need not be defined.
                 u[k] = nearby_values[~np.isnan(nearby_values)][0]

@@ -15,7 +15,7 @@ from workbook.checks.pontryagin.changes_compared import (
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
-from workbook.checks.tools.wording import prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text, value_text
 
 #: Relative accuracy of a control between its bounds.
 CONTROL_ACCURACY = 2e-3
@@ -43,7 +43,7 @@ def optimal_costate(claims, problem, time, parameters=None):
         for t, y, u in points:
             psi, slope = (part(t, values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
-                raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
+                raise Wrong(f"{where}at t = {t:.4g} a costate of yours is {NO_NUMBER}")
             # H is the product of these extended costates with the rates, the last of which is the
             # running cost.
             extended, process_point = (
@@ -108,7 +108,7 @@ def optimal_switching(claim, problem, time):
             <= 4 * function.rounding * size + function.uncertainty(t, {})[0][0]
         ):
             raise Wrong(
-                f"at t = {t:.4g} your function is {claimed:.4g}; it does not have the "
+                f"at t = {t:.4g} your function is {value_text(claimed)}; it does not have the "
                 f"{'sign' if claimed * true < 0 else 'value'} of dH/du there, if the costate that "
                 "transversality and H = 0 "
                 f"determine at the end is followed back along the best process"

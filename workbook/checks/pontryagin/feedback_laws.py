@@ -10,6 +10,7 @@ from workbook.checks.contract.tolerance import in_decimals, perturbed, relative_
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
+from workbook.checks.tools.wording import NO_NUMBER
 
 #: Number of steps of a motion under a law. A law switches late by at most one step; LAGGING bounds
 #: the relative cost of this delay.
@@ -44,7 +45,7 @@ class FeedbackLaw:
         else:
             claim = coercion.as_expression(answer, symbols)
         self._function, self._arguments = real_function(symbols, [claim]), (symbols, [claim])
-        self.no_value = "no solution between the bounds" if self.implicit else "no real number"
+        self.no_value = "no solution between the bounds" if self.implicit else NO_NUMBER
         self.decimals = in_decimals(claim)
         #: Pairs of laws, in each pair one decimal is changed by its uncertainty; none if the
         #: decimals are too many.

@@ -27,7 +27,7 @@ from workbook.checks.references.optima.functional_optimum import FunctionalOptim
 from workbook.checks.tools.comparisons import SameValue, SameWord
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
-from workbook.checks.tools.wording import values_text
+from workbook.checks.tools.wording import NO_NUMBER, values_text
 
 #: Number of sets of parameters at which an answer is compared.
 SAMPLES = 4
@@ -89,7 +89,7 @@ def extremum_value(claim, functional, parameters=()):
         claimed = real_function([], [claim])()[0]
         if not agree(claimed, best.value, claim, computed=COMPUTED):
             if not np.isfinite(claimed):
-                raise Wrong("your value is no real number")
+                raise Wrong(f"your value is {NO_NUMBER}")
             unattainable = (claimed < best.value) != functional.maximise
             raise Wrong(
                 f"your value is {claimed:.4g}; "
@@ -275,7 +275,7 @@ class _Motion:
     def _functional(self):
         """Return the value of the functional, and the size of its terms."""
         nodes, along, weights = self._along()
-        rates = self._rates(nodes, *along)[0]
+        rates = self._finite_rates(nodes, *along)[0]
         claimed = float(weights @ rates) + self._at_end()[0]
         return claimed, max(abs(claimed), float(weights @ abs(rates)))
 
@@ -288,9 +288,19 @@ class _Motion:
     def _variation(self, variation, a, b):
         """Return the first variation along a polynomial on [a, b], and the size of its terms."""
         nodes, weights = _quadrature(a, b)
-        rates = self._rates(nodes, *self._values(nodes))[1:]
+        rates = self._finite_rates(nodes, *self._values(nodes))[1:]
         terms = [weights * rate * np.polyder(variation, k)(nodes) for k, rate in enumerate(rates)]
         return float(sum(term.sum() for term in terms)), sum(np.abs(term).sum() for term in terms)
+
+    def _finite_rates(self, nodes, *values):
+        """Return the integrand along the motion, and its partial derivatives."""
+        rates = self._rates(nodes, *values)
+        for t in nodes[~np.isfinite(rates).all(axis=0)]:
+            raise Wrong(
+                f"{self.where}at t = {t:.4g} on your motion the integrand, or a derivative of it, "
+                f"is {NO_NUMBER}"
+            )
+        return rates
 
     def _at_end(self):
         """Return the final cost Phi and its derivatives at the end of the motion."""
@@ -315,7 +325,7 @@ class _Motion:
         values = self._at(nodes)
         for t in nodes[~np.isfinite(values).all(axis=0)]:
             raise Wrong(
-                f"{self.where}your motion, or a derivative of it, is no real number at t = {t:.4g}"
+                f"{self.where}at t = {t:.4g} your motion, or a derivative of it, is {NO_NUMBER}"
             )
         return values
 
@@ -323,7 +333,7 @@ class _Motion:
         claimed = self._claim_at[k](point)[0]
         if not np.isfinite(claimed):
             raise Wrong(
-                f"{self.where}{self._name(k)} of your motion is no real number at t = {point:.4g}"
+                f"{self.where}{self._name(k)} of your motion is {NO_NUMBER}, at t = {point:.4g}"
             )
         return claimed
 

@@ -18,7 +18,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.values import left_open
-from workbook.checks.tools.wording import values_text
+from workbook.checks.tools.wording import value_text, values_text
 
 
 @judged
@@ -119,9 +119,8 @@ def other_extremal_time(claim, system, target, start=None):
         & ~(abs(claimed - second_times) <= 1e-6 * second_times + uncertainty)
     ):
         point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, batch.x[k]))
-        message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
-            f"from {point} your expression gives {message}, which is not the time of an extremal "
+            f"from {point} your expression gives {value_text(claimed[k])}, which is not the time of an extremal "
             "slower than the fastest one"
         )
     return "it is the time of the slower extremal, from all sample initial states that have one"

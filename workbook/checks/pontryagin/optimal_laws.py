@@ -22,7 +22,7 @@ from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at
-from workbook.checks.tools.wording import prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text
 
 #: Distance from a change of its control at which the best process is compared with a law, relative
 #: to the duration, and distance of the states at which the law is evaluated, relative to the
@@ -99,7 +99,7 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
             points.append({variable: y[k], **{p: values[p] for p in other_parameters}})
             uncertain = uncertainty_at(claim, points[-1])
             if not np.isfinite(claimed):
-                raise Wrong(f"for {variable} = {y[k]:.4g} your curve gives no real number")
+                raise Wrong(f"for {variable} = {y[k]:.4g} your curve gives {NO_NUMBER}")
             if not agree(claimed, true, claim, true, LOCATED, uncertain):
                 raise Wrong(
                     f"for {variable} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "

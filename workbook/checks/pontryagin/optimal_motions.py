@@ -26,7 +26,7 @@ from workbook.checks.references.optima.best_processes import (
     free_at_the_start,
 )
 from workbook.checks.references.optima.units import is_time_optimal
-from workbook.checks.tools.wording import prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text
 
 #: Where rates are not linear in the control: number of parts of its interval, number of refinements
 #: around the best value, and the largest absolute value where it has no bounds.
@@ -48,6 +48,8 @@ def optimal_motion(claims, problem, time, parameters=None):
     for values, best in best_processes(problem, parameters):
         where, slack = prefix_text(values), motion.rounding * best.size() * best.units.states
         start = motion.values(0.0, values)
+        if not np.isfinite(start[has_initial_value]).all():
+            raise Wrong(f"{where}your motion is {NO_NUMBER}, at the initial time")
         if not np.all(
             (np.abs(start - best.start[:-1]) <= slack + motion.uncertainty(0.0, values)[0])[
                 has_initial_value
@@ -134,7 +136,7 @@ def _admissible_state(motion, t, values, best, problem, where):
     instant = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
     y, rate = motion.values(instant, values), motion.rates(instant, values)
     if not np.all(np.isfinite([*y, *rate])):
-        raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
+        raise Wrong(f"{where}your motion is {NO_NUMBER}, at t = {t:.4g}")
     units = best.units.states * np.ones(len(y))
     scale = _rate_tolerance(motion, instant, values, best, y)
     differences = np.abs(_nearest_rates(best, y, rate / units) * units - rate)

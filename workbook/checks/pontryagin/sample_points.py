@@ -14,9 +14,9 @@ from workbook.checks.contract.tolerance import (
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import endpoints, random_value
-from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.numeric_functions import LONG, real_function
 from workbook.checks.tools.samples import cached_points
-from workbook.checks.tools.substitution import substituted
+from workbook.checks.tools.substitution import real_at, substituted
 
 #: Number of points at which an identity is compared, and of other controls with which a greatest
 #: value is compared.
@@ -39,6 +39,7 @@ class ZeroSet:
             put = {s: units[s] * s for s in symbols if s in units}
             claims = [e.subs(put, simultaneous=True) for e in claims]
         self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
+        self._claims = claims
         self._values = real_function([*symbols, *parameters], claims)
         self._slopes = real_function(
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
@@ -82,6 +83,27 @@ class ZeroSet:
             for r, row in zip(residuals, slopes)
         ]
         return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
+
+    def precise_distance(self, values):
+        """Return the same distance by numbers of many digits and any size.
+
+        It is slow: for points where large terms of an expression cancel, or where floats overflow.
+        """
+        numbers = self._numbers(values)
+        point = {s: sp.Float(x, LONG) for s, x in zip((*self._symbols, *self._parameters), numbers)}
+        steps = []
+        for claim in self._claims:
+            residual, *row = (
+                e.xreplace(point).evalf(LONG) for e in (claim, *map(claim.diff, self._symbols))
+            )
+            length = sp.sqrt(sum(slope**2 for slope in row))
+            steps.append(sp.S.Zero if residual == 0 else abs(residual) / length)
+        distances = [real_at(step, {}) for step in steps]
+        return (
+            np.inf
+            if None in distances
+            else max(distances) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
+        )
 
     def _numbers(self, values):
         return [

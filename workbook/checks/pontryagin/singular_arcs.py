@@ -69,9 +69,12 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     surface = ZeroSet(claims, list(problem.state), list(problem.parameters), arcs.units)
     angles = [x for x in problem.state if _is_angle(x, problem)]
     for values in _points(arcs, domain):
+        same_states = list(_same_states(values, angles))
+        # Floats may have overflowed, or large terms cancelled.
         if not any(
-            surface.distance(same) <= surface.uncertainty(same)
-            for same in _same_states(values, angles)
+            distance(same) <= surface.uncertainty(same)
+            for distance in (surface.distance, surface.precise_distance)
+            for same in same_states
         ):
             raise Wrong("there are singular arcs on which your equation does not hold")
     count = 0
@@ -87,7 +90,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
         exist = arcs.multipliers_exist(point, share)
         if exist is False:  # floats may have cancelled
             exist = arcs.multiprecision().multipliers_exist(point, share)
-        if exist is None:
+        if exist is None or (not exist and surface.precise_distance(point) > share):
             continue
         count += 1
         if not exist:

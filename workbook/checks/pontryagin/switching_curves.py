@@ -22,6 +22,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import NO_NUMBER
 
 #: Accuracy of a switching curve, relative to its coordinates.
 LOCATED = 1e-4
@@ -199,7 +200,7 @@ def _sides_of(claim, domain, data, shares):
         )
         message = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
         for k in np.flatnonzero(~np.isfinite(ordinates + ordinates_ahead)):
-            raise Wrong(f"{message}at {variable} = {points[k]:.4g} your curve is not real")
+            raise Wrong(f"{message}at {variable} = {points[k]:.4g} your curve gives {NO_NUMBER}")
         slope = (ordinates_ahead - ordinates) / step
         curve_points = np.column_stack([points, ordinates] if index == 0 else [ordinates, points])
         normal = np.column_stack(

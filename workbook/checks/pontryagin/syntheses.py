@@ -31,6 +31,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 from workbook.checks.tools.conditions import readings
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.values import left_open
+from workbook.checks.tools.wording import NO_NUMBER, value_text
 
 
 @judged(Expression("system.state", "parameters", lambda data: (data["curve"] or ())[:1]))
@@ -68,7 +69,7 @@ def _time_optimal(claim, data, curve):
     values = law(batch.x, batch.case)
     low, high = reference.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
-        raise Wrong(f"{reference.start_text(batch, k)} your law gives no real number")
+        raise Wrong(f"{reference.start_text(batch, k)} your law gives {NO_NUMBER}")
     for k in np.flatnonzero((values < low - EQUAL_CONTROLS) | (values > high + EQUAL_CONTROLS)):
         raise Wrong(
             f"{reference.start_text(batch, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
@@ -130,11 +131,10 @@ def _judge_on_extremals(laws, reference, control):
     differ = np.flatnonzero(~(abs(claimed - batch.control) <= EQUAL_CONTROLS).any(axis=0))
     # The message names a state that is neither small nor large, where motions are easiest to see.
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(batch.x[k]))))[:1]:
-        value_text = (
-            f"{control} = {claimed[0][k]:.4g}" if np.isfinite(claimed[0][k]) else "no real number"
-        )
+        value = claimed[0][k]
+        text = f"{control} = {value:.4g}" if np.isfinite(value) else NO_NUMBER
         raise Wrong(
-            f"{reference.start_text(batch, k)} your law gives {value_text}, and the fastest motion from there "
+            f"{reference.start_text(batch, k)} your law gives {text}, and the fastest motion from there "
             "does not begin with it"
         )
 
@@ -182,7 +182,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
     allowed = 1e-4 * batch.time + 1e-6 + uncertainty
     agrees = np.isfinite(claimed) & (abs(claimed - batch.time) <= allowed)
     for k in np.flatnonzero(~agrees):
-        message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
+        message = value_text(claimed[k])
         reason = directed(
             ", which no motion can do"
             if claimed[k] < batch.time[k]

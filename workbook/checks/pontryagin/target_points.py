@@ -26,7 +26,7 @@ from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import left_open
-from workbook.checks.tools.wording import values_text
+from workbook.checks.tools.wording import NO_NUMBER, value_text, values_text
 
 
 @judged
@@ -126,7 +126,9 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
         for k in np.flatnonzero(np.isfinite(times)):
             count += 1
             if not np.all(np.isfinite(claimed_points[k])):
-                raise Wrong(f"{target.values_text(values, positions[k])} your point is not real")
+                raise Wrong(
+                    f"{target.values_text(values, positions[k])} a coordinate of your point is {NO_NUMBER}"
+                )
             if not np.linalg.norm(claimed_points[k] - points[k]) <= allowed[k]:
                 raise Wrong(
                     f"{target.values_text(values, positions[k])} the optimal motion does not switch "
@@ -176,9 +178,9 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
                 np.isfinite(times) & ~(abs(numbers - true) <= 1e-5 * size + uncertainty)
             ):
                 raise Wrong(
-                    f"{target.values_text(values, positions[k])} the determinant of the tangent of the curve "
-                    f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
-                    "sign and the size of both"
+                    f"{target.values_text(values, positions[k])} your determinant of the tangent of "
+                    f"the curve and the velocity {name} the switching is {value_text(numbers[k])}; "
+                    "look at the sign and the size of both"
                 )
     return "these are the determinants, for sample values"
 

@@ -21,6 +21,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.formula_changes import FormulaChanges
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import no_number_text
+from workbook.checks.tools.wording import NO_NUMBER
 
 #: Relative tolerance of an answer without decimals: the accuracy of its integration.
 INTEGRATED = 1e-5
@@ -320,5 +321,5 @@ def _inside(u, begin, end):
 def _real(value, name):
     """Return the single entry of an array as a float."""
     if not np.isfinite(value[0]):
-        raise Wrong(f"{name} is no real number, or not defined")
+        raise Wrong(f"{name} is {NO_NUMBER}")
     return float(value[0])

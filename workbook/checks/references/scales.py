@@ -14,7 +14,7 @@ import sympy as sp
 from workbook.checks.contract.tolerance import DECIMALS, EXACT
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
-from workbook.checks.tools.wording import prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text
 
 #: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of
 #: them are rational.
@@ -126,7 +126,7 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, quantity):
                 f"{prefix_text(dict(zip(symbols, at[k])))}your {quantity} is {numbers[k]:.6g}. In other "
                 "units the problem is the same, but there your expression does not give "
                 f"the same {quantity}: {prefix_text(dict(zip(symbols, scaled_points[k])))}it is "
-                + (f"{scaled_values[k]:.6g}" if np.isfinite(scaled_values[k]) else "no real number")
+                + (f"{scaled_values[k]:.6g}" if np.isfinite(scaled_values[k]) else NO_NUMBER)
             )
 
 

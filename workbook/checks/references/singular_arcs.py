@@ -21,8 +21,9 @@ from workbook.checks.tools.samples import cached_points
 
 #: From so many points the search for points begins, and so many points are enough.
 STARTS, ENOUGH = 160, 8
-#: Newton's steps, and what is left of the equations at a point, as a share of their terms.
-STEPS, SOLVED = 40, 1e-11
+#: Newton's steps, the last of them relative to the point, and what is left of the equations at a
+#: point, as a share of their terms.
+STEPS, LAST_STEP, SOLVED = 40, 1e-9, 1e-11
 #: What counts as zero in the derivative of dH/du that holds the control.
 VANISHES = 1e-6
 
@@ -296,9 +297,13 @@ class SingularArcs:
                 )
             if not (np.isfinite(residual).all() and np.isfinite(slopes).all()):
                 return None
-            if np.all(np.abs(residual) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))):
+            step = np.linalg.lstsq(slopes, residual, rcond=1e-12)[0]
+            # Where surfaces touch, the equations nearly hold far from their common points.
+            if np.linalg.norm(step) <= LAST_STEP * (1 + np.linalg.norm(point)) and np.all(
+                np.abs(residual) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))
+            ):
                 return point
-            point = point - np.linalg.lstsq(slopes, residual, rcond=1e-12)[0]
+            point = point - step
         return None
 
     def _inside(self, point, domain):

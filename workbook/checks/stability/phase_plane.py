@@ -20,6 +20,7 @@ from workbook.checks.tools.samples import random_columns
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import (
+    NO_NUMBER,
     sample_text,
 )
 
@@ -105,7 +106,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
         where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, k]))
         raise Wrong(
-            f"your expression is not real, or has no derivatives, at {where}, a point of the domain"
+            f"at {where}, a point of the domain, your expression or a derivative of it is {NO_NUMBER}"
         )
     if not np.any(abs(gradient) > 1e-12):
         raise Wrong(
@@ -153,7 +154,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                 raise Wrong(
                     f"{where} your expression gives "
                     + (
-                        "no real number"
+                        NO_NUMBER
                         if y is None or dy is None
                         else f"{second} = {y:.3g}, outside the domain"
                     )
@@ -189,7 +190,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                 raise Wrong(
                     f"{sample_text(values)}your curve does not go through ({end_x}, {end_y}): "
                     "close to it "
-                    f"{second} is " + ("not real" if y is None else f"{y:.3g}")
+                    f"{second} is " + (NO_NUMBER if y is None else f"{y:.3g}")
                 )
     return "its slope is that of the motions, and it goes through the points asked for"
 

@@ -23,6 +23,7 @@ from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, 
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import (
+    NO_NUMBER,
     deviation_rate_text,
     other_text,
     point_text,
@@ -90,7 +91,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         for k in range(n):
             claimed = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in claimed):
-                raise Wrong(f"{sample_text(values)}your matrix is not real")
+                raise Wrong(f"{sample_text(values)}an entry of your matrix is {NO_NUMBER}")
             column = list(matrix[:, k])
             uncertain = [uncertainty_at(entry, values) for entry in column]
             if not agree(claimed, true[:, k], column, size, uncertain=uncertain).all():
@@ -117,9 +118,10 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
             uncertain=uncertainty_at(claim, values),
         ):
             noun = "the value at the stationary solution"
-            if claimed is None or not values:
-                message = "no real number" if claimed is None else f"{claimed:.4g}"
-                raise Wrong(f"{noun} is not {message}")
+            if claimed is None:
+                raise Wrong(f"{sample_text(values)}your expression gives {NO_NUMBER}")
+            if not values:
+                raise Wrong(f"{noun} is not {claimed:.4g}")
             raise Wrong(f"{sample_text(values)}{other_text(noun, claimed, true)}")
     return f"it is the value at the stationary solution{tried_text(parameters)}"
 
@@ -198,7 +200,7 @@ def _judge_points(answer, family, noun, searched=None):
         for k, point in enumerate(points):
             position = [real_at(coordinate, values) for coordinate in point]
             if any(coordinate is None for coordinate in position):
-                outside = "; what your answer gives is not real"
+                outside = f"; your answer gives {NO_NUMBER}"
                 continue
             position = family.rounded_inside(np.array(position, dtype=float), point)
             if not family.inside(position):
@@ -240,8 +242,8 @@ def _judge_points(answer, family, noun, searched=None):
             )
     if not all(in_domain):
         raise Wrong(
-            f"point {in_domain.index(False) + 1} of your list lies in the domain for none of the sample "
-            "values"
+            f"point {in_domain.index(False) + 1} of your list lies outside the domain"
+            + (" for all sample values of the parameters" if family.parameters else "")
         )
     return f"it gives every {noun} in the domain and nothing else{tried_text(family.parameters)}"
 

@@ -58,9 +58,9 @@ def number_at(claim, values, name="your expression"):
         failure = (
             "undefined"
             if cmath.isnan(value)
-            else f"larger than {LARGEST:g}"
-            if cmath.isfinite(value)
             else "infinite"
+            if number.has(sp.oo, -sp.oo, sp.zoo)
+            else f"larger than {LARGEST:g}"
         )
         raise Wrong(
             f"{name} is {failure}"

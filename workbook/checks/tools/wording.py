@@ -4,6 +4,14 @@ import math
 
 from workbook.checks.contract.direction import directed
 
+#: What an expression gives where `real_function` has nan and `real_at` None.
+NO_NUMBER = "no real number, or one too large to be computed with"
+
+
+def value_text(number):
+    """Return a float for a message; nan is what has no number."""
+    return f"{number:.4g}" if math.isfinite(number) else NO_NUMBER
+
 
 def number_text(number):
     """Return a real or complex number for a message: `0.5`, `-1 + 2i`."""

@@ -83,6 +83,27 @@ CASES = [
     Case("singular_surface", x1, (SQUARE, TWO), "right", "one of the states"),
     Case(
         "singular_surface",
+        sp.Eq((k * v**2 * (v + gas)) ** 200, (gas * m * g) ** 200),
+        (ROCKET, THREE),
+        "right",
+        "powers that no float holds",
+    ),
+    Case(
+        "singular_surface",
+        sp.Eq(SURFACE + sp.cosh(30 * v) ** 2 - sp.sinh(30 * v) ** 2, 1),
+        (ROCKET, THREE),
+        "right",
+        "large terms that cancel",
+    ),
+    Case(
+        "singular_surface",
+        sp.Eq(SURFACE + sp.cosh(30 * v) ** 2 - sp.sinh(30 * v) ** 2, sp.Rational(1001, 1000)),
+        (ROCKET, THREE),
+        "wrong",
+        "large terms that cancel, and a thousandth",
+    ),
+    Case(
+        "singular_surface",
         sp.Eq(x1, 0) | sp.Eq(2 * x1, 0, evaluate=False),
         (SQUARE, TWO),
         "right",
