@@ -20,6 +20,9 @@ from workbook.checks.contract.reporting import as_html, as_text, collecting
 
 #: Characters of printed output that a page shows.
 MOST_PRINTED = 20_000
+NOT_IN_A_PAGE = """\
+This library is not here; pages of the site do not have it. If your answer
+does not need it, leave the line out; else run it in the notebook."""
 
 
 def run_cell(cells, check, problem=""):
@@ -126,9 +129,10 @@ def _described(error, position, name):
     lines = [frame.lineno for frame in frames if frame.filename == name]
     if isinstance(error, SyntaxError) and error.filename == name:
         lines.append(error.lineno)
+    missing = NOT_IN_A_PAGE if isinstance(error, ModuleNotFoundError) else ""
     return {
         "cell": position,
         "line": lines[-1] if lines else None,
         "text": f"{type(error).__name__}: {message}".removesuffix(": "),
-        "hint": hint_for(message) or "",
+        "hint": hint_for(message) or missing,
     }

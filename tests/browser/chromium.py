@@ -96,6 +96,18 @@ class Browser:
             time.sleep(0.1)
         return value
 
+    def evaluate(self, script, *arguments, seconds=300):
+        """Return the value of an asynchronous script in the open page, with its `args`."""
+        self.driver.execute_script(
+            "window.outcome = null;"
+            f"(async (...args) => {{ {script} }})(...arguments)"
+            ".then(value => { window.outcome = [value]; }, error => { window.outcome = String(error); });",
+            *arguments,
+        )
+        outcome = self.wait_for("window.outcome", seconds)
+        assert isinstance(outcome, list), outcome or f"no value after {seconds} s"
+        return outcome[0]
+
     def find(self, selector):
         from selenium.webdriver.common.by import By
 

@@ -46,6 +46,28 @@ def test_an_irrational_value_left_out_is_found(case, monkeypatch):
     assert verdict.status == "wrong", verdict.message
 
 
+@pytest.mark.parametrize(
+    "claim, status, evidence",
+    [
+        ("k**2 < 8*k1**2", "right", "proved for all values"),
+        ("k < 2.83*k1", "right", "to three digits, for all values"),
+        ("k**2 < 7*k1**2", "wrong", "your condition does not hold"),
+    ],
+)
+def test_an_angle_that_linear_equations_determine_is_eliminated(
+    claim, status, evidence, monkeypatch
+):
+    """Gliding flight; with the half-angle tangent the projection would be too large."""
+    monkeypatch.setitem(sys.modules, "z3", None)
+    k, k1, g, v = sp.symbols("k k1 g v", positive=True)
+    theta = sp.Symbol("theta", real=True)
+    field = sp.Matrix([k1 * v - g * sp.cos(theta) / v, -k * v**2 - g * sp.sin(theta)])
+    domain = {theta: sp.Interval.Lopen(-sp.pi, sp.pi), v: sp.Interval.open(0, sp.oo)}
+    answer = sp.sympify(claim, {"k": k, "k1": k1})
+    verdict = checks.focus_region(answer, field, [theta, v], [k, k1, g], domain)
+    assert verdict.status == status and verdict.message.endswith(evidence)
+
+
 def test_a_root_next_to_the_axis_is_decided_exactly(monkeypatch):
     monkeypatch.setitem(sys.modules, "z3", None)
     e = sp.Symbol("epsilon", real=True)

@@ -58,6 +58,7 @@ def test_a_failing_box_hides_no_verdict_on_another():
         ("a_region = 4k1 > 0", 1, "SyntaxError: invalid decimal literal", "A product needs"),
         ("a_region = exp(k1) > 0", 1, "NameError", "Write sp.exp"),
         ("def f():\n    return 1 / 0\nf()", 2, "ZeroDivisionError: division by zero", ""),
+        ("import pandas_of_another", 1, "ModuleNotFoundError", "This library is not here"),
         ("import sys\nsys.exit()", 2, "SystemExit", ""),
         ("raise ValueError\0", 1, "", ""),
     ],

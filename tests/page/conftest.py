@@ -1,2 +1,3 @@
 from chromium import browser  # noqa: F401
 from engine_page import addresses, packed  # noqa: F401
+from firefox import firefox  # noqa: F401

@@ -55,19 +55,6 @@ def addresses(packed):
     server.server_close()
 
 
-def evaluate(browser, script, *arguments, seconds=300):
-    """Return the value of an asynchronous script in the open page, with its `args`."""
-    browser.driver.execute_script(
-        "window.outcome = null;"
-        f"(async (...args) => {{ {script} }})(...arguments)"
-        ".then(value => { window.outcome = [value]; }, error => { window.outcome = String(error); });",
-        *arguments,
-    )
-    outcome = browser.wait_for("window.outcome", seconds)
-    assert isinstance(outcome, list), outcome or f"no value after {seconds} s"
-    return outcome[0]
-
-
 def literal(value):
     """Return Python text that evaluates to a value which can be written as JSON."""
     return f"json.loads({json.dumps(value)!r})"

@@ -4,7 +4,6 @@ import json
 import time
 
 import pytest
-from engine_page import evaluate
 
 from workbook.notebooks import exercises
 
@@ -17,18 +16,21 @@ RIGHT, WRONG = "a_region = sp.And(k1 > 0, k1 * k2 > 1)", "a_region = sp.And(k1 >
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
 
-@pytest.fixture(scope="module", params=["http", "file"])
-def page(request, addresses, browser):
-    browser.open(addresses[request.param])
-    evaluate(browser, "await workbookEngine.start()")
-    yield browser
-    assert browser.errors() == []
-    assert browser.foreign_requests() == []
+@pytest.fixture(
+    scope="module", params=["browser http", "browser file", "firefox http", "firefox file"]
+)
+def page(request, addresses):
+    kind, protocol = request.param.split()
+    page = request.getfixturevalue(kind)
+    page.open(addresses[protocol])
+    page.evaluate("await workbookEngine.start()")
+    yield page
+    assert page.errors() == []
+    assert page.foreign_requests() == []
 
 
 def run_cell(page, *cells, seconds=20):
-    return evaluate(
-        page,
+    return page.evaluate(
         "return workbookEngine.runCell(args[0], args[1], '', args[2])",
         [DATA, *cells],
         CHECK,
@@ -55,21 +57,20 @@ def test_errors_have_their_line_and_hint(page):
 def test_a_cell_that_hangs_ends_and_python_is_ready_again(page):
     assert run_cell(page, "while True: pass", seconds=1)["error"] == "time"
     assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
-    stopped = evaluate(
-        page,
+    stopped = page.evaluate(
         """setTimeout(() => workbookEngine.stop(), 300);
         return workbookEngine.run("while True: pass", 20)""",
     )
     assert stopped["error"] == "stopped"
     began = time.monotonic()
-    assert evaluate(page, "return workbookEngine.run('result = 2 + 2')")["result"] == 4
+    assert page.evaluate("return workbookEngine.run('result = 2 + 2')")["result"] == 4
     assert time.monotonic() - began < 10  # one second on a quiet machine
 
 
 def test_runs_share_no_names_and_a_bad_result_is_an_error(page):
-    assert evaluate(page, "return workbookEngine.run('x = 1; result = x')")["result"] == 1
-    assert "NameError" in evaluate(page, "return workbookEngine.run('result = x')")["error"]
-    assert "TypeError" in evaluate(page, "return workbookEngine.run('result = {1}')")["error"]
+    assert page.evaluate("return workbookEngine.run('x = 1; result = x')")["result"] == 1
+    assert "NameError" in page.evaluate("return workbookEngine.run('result = x')")["error"]
+    assert "TypeError" in page.evaluate("return workbookEngine.run('result = {1}')")["error"]
 
 
 def test_endless_recursion_and_a_removed_package_do_no_harm(page):
@@ -79,13 +80,13 @@ def test_endless_recursion_and_a_removed_package_do_no_harm(page):
 
 
 def test_the_next_page_starts_from_the_memory_image(page, addresses):
-    assert evaluate(page, "return (await workbookEngine.snapshot()).length") < 120e6
+    assert page.evaluate("return (await workbookEngine.snapshot()).length") < 120e6
     keys = """return new Promise(done => {
         const request = indexedDB.open("workbook-engine", 1);
         request.onsuccess = () => request.result.transaction("images").objectStore("images")
             .getAllKeys().onsuccess = event => done(event.target.result); })"""
     end = time.monotonic() + 20
-    while not (found := evaluate(page, keys)) and time.monotonic() < end:
+    while not (found := page.evaluate(keys)) and time.monotonic() < end:
         time.sleep(0.2)
     assert len(found) == 1
 

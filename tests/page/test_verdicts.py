@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from engine_page import ROOT, evaluate, literal
+from engine_page import ROOT, literal
 
 from workbook.authoring import master
 
@@ -55,11 +55,10 @@ def natively(function, *arguments, absent=()):
     return json.loads(run.stdout)
 
 
-@pytest.fixture(scope="module")
-def judged_in_page(addresses, browser):
-    """Return the function that judges a problem in the page's Python."""
-    browser.open(addresses["http"])
-    evaluate(browser, "await workbookEngine.start()")
+def judge_in(browser, address):
+    """Return the function that judges a problem by the page's Python in a browser."""
+    browser.open(address)
+    browser.evaluate("await workbookEngine.start()")
     source = (HERE / "judging.py").read_text(encoding="utf-8")
 
     @functools.cache
@@ -68,11 +67,21 @@ def judged_in_page(addresses, browser):
             f"import json\nnames = {{'__name__': 'judging'}}\nexec({literal(source)}, names)\n"
             f"result = names['judged_problem'](*{literal(task(number))})"
         )
-        outcome = evaluate(browser, "return workbookEngine.run(args[0], 250)", code)
+        outcome = browser.evaluate("return workbookEngine.run(args[0], 250)", code)
         assert outcome["error"] is None, outcome["error"]
         return {what: (status, message) for what, status, message, _ in outcome["result"]}
 
     return judged
+
+
+@pytest.fixture(scope="module")
+def judged_in_page(addresses, browser):
+    return judge_in(browser, addresses["http"])
+
+
+@pytest.fixture(scope="module")
+def judged_in_firefox(addresses, firefox):
+    return judge_in(firefox, addresses["http"])
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -102,3 +111,10 @@ def test_verdicts_are_those_of_a_native_python(number, judged_in_page):
     native = {what: status for what, status, *_ in rows}
     page = {what: status for what, (status, _) in judged_in_page(number).items() if what in native}
     assert page == native
+
+
+@pytest.mark.parametrize("number", SAMPLE)
+def test_firefox_gives_the_verdicts_and_texts_of_chromium(
+    number, judged_in_page, judged_in_firefox
+):
+    assert judged_in_firefox(number) == judged_in_page(number)

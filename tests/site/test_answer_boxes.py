@@ -461,6 +461,24 @@ def test_answers_are_kept_cleared_and_brought_back(page, browser):
     assert keys == []
 
 
+def test_two_tabs_with_a_problem_do_not_undo_each_other(page, browser):
+    page.open()
+    first = browser.driver.current_window_handle
+    browser.driver.switch_to.new_window("tab")
+    page.open()
+    browser.driver.execute_script(  # this tab does not get the focus, which brings the editor
+        """const field = document.querySelector("textarea[data-name=a_region]");
+        field.value = arguments[0];
+        field.dispatchEvent(new Event("input"));""",
+        RIGHT["a_region"],
+    )
+    browser.driver.close()
+    browser.driver.switch_to.window(first)
+    page.write("b_region", RIGHT["b_region"])
+    page.open()
+    assert page.text("a_region") == RIGHT["a_region"] and page.text("b_region") == RIGHT["b_region"]
+
+
 def test_answers_for_an_earlier_version_are_not_lost(page, browser):
     page.open()
     browser.driver.execute_script(

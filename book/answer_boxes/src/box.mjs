@@ -13,7 +13,7 @@ export class Box {
     this.fields = [...element.querySelectorAll("textarea")].map(
       (textarea) =>
         new Field(textarea, {
-          onChange: () => page.save(),
+          onChange: (field) => page.save(field),
           onRun: () => this.run(),
           onFocus: () => page.open(this),
         }),

@@ -27,8 +27,8 @@ class Page {
   // Answers ---------------------------------------------------------------------------------------------------------------
 
   /** The code of every answer, {name: code}. */
-  answers(fields = this.fields) {
-    return Object.fromEntries(fields.map((field) => [field.name, field.text]));
+  answers() {
+    return Object.fromEntries(this.fields.map((field) => [field.name, field.text]));
   }
 
   /** Show these answers, and the stubs of all others. */
@@ -36,12 +36,11 @@ class Page {
     for (const field of this.fields) field.text = answers[field.name] ?? field.stub;
   }
 
-  /** Keep what was typed; another page may have other boxes of the problem. */
-  save() {
-    const kept = Object.entries(store.readAnswers(settings.number, settings.version));
-    const others = Object.fromEntries(kept.filter(([name]) => !this.fields.some((field) => field.name === name)));
-    const typed = this.answers(this.fields.filter((field) => field.isTyped));
-    store.writeAnswers(settings.number, settings.version, { ...others, ...typed });
+  /** Keep what was typed into a field; other boxes may have been used in another tab since this page was opened. */
+  save(field) {
+    const { [field.name]: _, ...answers } = store.readAnswers(settings.number, settings.version);
+    if (field.isTyped) answers[field.name] = field.text;
+    store.writeAnswers(settings.number, settings.version, answers);
   }
 
   noteVerdicts(verdicts) {

@@ -10,7 +10,7 @@ export class Field {
     this.name = textarea.dataset.name;
     this.cell = textarea.dataset.cell;
     this.stub = textarea.defaultValue;
-    this.events = { onChange, onRun };
+    this.events = { onChange: () => onChange(this), onRun };
     textarea.addEventListener("focus", onFocus);
     textarea.addEventListener("input", () => this.changed());
     textarea.addEventListener("keydown", (event) => {

@@ -41,5 +41,5 @@ export const stop = () => window.workbookEngine?.stop();
 export function failure(error) {
   if (error === "stopped") return "Stopped.";
   if (error === "time") return `Stopped after ${LIMIT} seconds.`;
-  return error;
+  return `The run broke off (${error}), as one does whose recursion is too deep. Python is ready again.`;
 }

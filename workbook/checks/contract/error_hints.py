@@ -17,9 +17,6 @@ PRODUCTS = "A product needs its sign: write 4*t, not 4t, and 2*(x + 1), not 2(x 
 DATA_FIRST = "The data cell sets this name: run it first, and again after a restart."
 PREFIX_ITSELF = "The notebook imports SymPy as sp: write sp.cos(x), not sympy.cos(x)."
 PREFIX = "Write sp.{}: the notebook imports SymPy as sp, so its names begin with sp."
-NOT_IN_A_PAGE = """\
-This library is not here; pages of the site do not have it. If your answer
-does not need it, leave the line out; else run it in the notebook."""
 #: What the text of an error begins with, and what to write instead.
 HINTS = {
     "cannot determine truth value of Relational": CONDITIONS,
@@ -30,7 +27,6 @@ HINTS = {
     "name '(np|numpy|math)' is not defined": FUNCTIONS,
     "name 'sympy' is not defined": PREFIX_ITSELF,
     "name '(sp|checks)' is not defined": DATA_FIRST,
-    "No module named '(casadi|control|flint|matplotlib|z3)": NOT_IN_A_PAGE,
     "invalid decimal literal": PRODUCTS,
     r"'(int|float|Symbol|Add|Mul|Pow|Integer|Rational)' object is not callable": PRODUCTS,
 }

@@ -60,12 +60,40 @@ def points_of_difference(readings, parameters, case, holds, restriction):
     claimed.append(form.condition(restriction))
     written = set().union(*(part.free_symbols for part in (*readings, restriction, case.condition)))
     others = sorted(written.difference(parameters, case.unknowns), key=str)
+    solved = {} if case.every else _solved_angle(form, condition, case.unknowns)
+    for angle, values in solved.items():
+        condition = condition.xreplace(dict(zip(form.circles.pop(angle), values)))
+        condition = sp.And(condition, sp.Eq(sum(value**2 for value in values), 1))
     # what holds for every angle holds for those that are not pi
     angles = [a for a in form.circles if not (case.every and a in case.unknowns)]
     for count in range(len(angles) + 1):
         for straight in itertools.combinations(angles, count):
-            search = _Search(form, frozenset(straight), parameters, case, others)
+            search = _Search(form, frozenset(straight), parameters, case, others, solved)
             yield from search.points(claimed, condition)
+
+
+def _solved_angle(form, condition, unknowns):
+    """Return {angle: (cosine, sine)} of an unknown that two linear equations determine, or {}.
+
+    Without its half-angle tangent a decomposition has one variable less, and lower degrees.
+    """
+    equations = [
+        as_fraction(part.lhs - part.rhs)[0]
+        for part in sp.And.make_args(condition)
+        if isinstance(part, sp.Eq)
+    ]
+    added = {*form.definitions}.union(*form.circles.values())
+    for angle in (a for a in unknowns if a in form.circles):
+        circle = form.circles[angle]
+        linear = [e for e in equations if sp.Poly(e, *circle).total_degree() == 1]
+        for pair in itertools.combinations(linear, 2):
+            matrix, right = sp.linear_eq_to_matrix(pair, *circle)
+            if not matrix.det().is_nonzero:
+                continue
+            values = matrix.LUsolve(right)
+            if not values.free_symbols & added:
+                return {angle: tuple(values)}
+    return {}
 
 
 def points_of_cells(condition, parameters):
@@ -119,14 +147,14 @@ def cells_of_symbol(symbol, claim, parameters, case):
 class _Search:
     """The decomposition for one case, with some of its angles equal to pi."""
 
-    def __init__(self, form, straight, parameters, case, others):
-        self.form, self.straight, self.case = form, straight, case
+    def __init__(self, form, straight, parameters, case, others, solved=None):
+        self.form, self.straight, self.case, self.solved = form, straight, case, solved or {}
         self.elimination = Elimination(form, straight)
         self.parameters = list(parameters)
         self.variables = {
             s: half_tangent(s) if s in form.circles else s
             for s in [*parameters, *others, *case.unknowns]
-            if s not in straight
+            if s not in straight and s not in self.solved
         }
 
     def borders(self, conditions):
@@ -295,9 +323,16 @@ class _Values:
         )
 
     def _exact(self, symbol):
-        if symbol in self._search.straight:
+        search = self._search
+        if symbol in search.straight:
             return sp.pi
-        variable = self._search.variables[symbol]
+        if symbol in search.solved:
+            used = sp.Tuple(*search.solved[symbol])
+            cosine, sine = used.xreplace({s: self._exact(s) for s in used.free_symbols})
+            return sp.atan2(sine, cosine) + (
+                2 * sp.pi if symbol in search.case.angles and sine < 0 else 0
+            )
+        variable = search.variables[symbol]
         number = (
             self.coordinates[variable].exact
             if variable in self.coordinates
@@ -306,7 +341,7 @@ class _Values:
         if variable is symbol:
             return number
         angle = 2 * sp.atan(number)
-        return angle + 2 * sp.pi if symbol in self._search.case.angles and number < 0 else angle
+        return angle + 2 * sp.pi if symbol in search.case.angles and number < 0 else angle
 
 
 def _default(symbol):
