@@ -34,14 +34,18 @@ MARGINS = {"marginTop": 0.95, "marginBottom": 0.85, "marginLeft": 0.8, "marginRi
 #: Text of the site is 18 px high; on paper it is set in 11 points.
 SCALE = 0.8
 STYLE = (ROOT / "book" / "pdf.css").read_text()
+#: The fonts of the site, of which the first rules of its style tell.
+FONTS = re.findall(r"@font-face .*", (ROOT / "book" / "_static" / "workbook.css").read_text())
 
 
 #: What the anchor of a problem's page is called that leads to its solution.
 SOLUTION = "solution"
+#: Links to functions of the library, whose pages are not printed.
+LIBRARY = ".used-in"
 #: What is not printed in each part of a problem's page; "" is the statement.
 HIDDEN = {
-    "": ".solution, .tag_check, .common-mistakes, .used-in, .to-statement",
-    SOLUTION: ".problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
+    "": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
+    SOLUTION: f"{LIBRARY}, .problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
 }
 
 
@@ -117,13 +121,26 @@ class Printer:
                     `<p class=to-solution><a href="?#${arguments[1]}">Solution</a></p>
                      <p class=to-statement><a href="${location.pathname}">Problem</a></p>`);
                 const ready = window.MathJax?.startup?.promise ?? Promise.resolve();
-                ready.then(() => document.fonts.ready).then(arguments[2]);""",
+                ready.then(() => {
+                    // a statement is printed without its hints: they stand before the solution
+                    const hints = document.createElement('div');
+                    hints.className = 'hints';
+                    for (const answer of document.querySelectorAll('.answer:has(> .hint)')) {
+                        const line = hints.appendChild(document.createElement('p'));
+                        line.append(answer.querySelector('code').cloneNode(true));
+                        for (const hint of answer.querySelectorAll('.hint > :not(summary)'))
+                            line.append(' ', ...hint.cloneNode(true).childNodes);
+                    }
+                    if (hints.childElementCount) hints.insertAdjacentHTML('afterbegin', '<h2>Hints</h2>');
+                    document.querySelector('.problem-head')?.before(hints);
+                    return document.fonts.ready;
+                }).then(arguments[2]);""",
                 sorted(anchors),
                 SOLUTION,
             )
             self.printed[page.name] = {
                 part: self._part(hidden)
-                for part, hidden in (HIDDEN if page.is_problem else {"": "none"}).items()
+                for part, hidden in (HIDDEN if page.is_problem else {"": LIBRARY}).items()
             }
         return PdfReader(io.BytesIO(self.printed[page.name][page.part]))
 
@@ -141,9 +158,11 @@ class Printer:
     def typeset(self, body):
         """Return the PDF of a body of HTML that has its own sheets."""
         with tempfile.NamedTemporaryFile("w", suffix=".html") as file:
-            file.write(f"<!doctype html><meta charset=utf-8><style>{STYLE}</style>{body}")
+            fonts = "".join(FONTS).replace("url(", f"url({(SITE / '_static').as_uri()}/")
+            file.write(f"<!doctype html><meta charset=utf-8><style>{fonts}{STYLE}</style>{body}")
             file.flush()
             self.driver.get(Path(file.name).as_uri())
+            self.driver.execute_async_script("document.fonts.ready.then(arguments[0])")
             return PdfReader(io.BytesIO(self._pdf({"preferCSSPageSize": True})))
 
     def _pdf(self, options):
