@@ -215,6 +215,14 @@ def _target(base, href):
     return str(path.relative_to(SITE).with_suffix("")), unquote(anchor)
 
 
+def length(printed):
+    """Return the number of sheets with text: space below the last line may take a sheet of its own."""
+    count = len(printed.pages)
+    while count > 1 and not printed.pages[count - 1].extract_text().strip():
+        count -= 1
+    return count
+
+
 class Document:
     """Printed pages, joined in their order."""
 
@@ -226,10 +234,7 @@ class Document:
 
     def append(self, page, printed, chapter):
         """Append a page under its chapter's running head."""
-        first, count = len(self.writer.pages), len(printed.pages)
-        # Space below the last line may take a sheet of its own.
-        while count > 1 and not printed.pages[count - 1].extract_text().strip():
-            count -= 1
+        first, count = len(self.writer.pages), length(printed)
         self.positions[page.name, page.part] = first, None
         for anchor, position in printed.named_destinations.items():
             sheet = min(printed.get_destination_page_number(position), count - 1)
@@ -335,12 +340,13 @@ def join(printer, title, groups, anchors, path):
             return printer.typeset(contents(heading, listed, sheets))
         return printer.print(page, anchors[page.name])
 
-    # the numbers of sheets depend on the length of the contents, which does not depend on them
-    sheets, number = dict.fromkeys(chapter_of, "1000"), 1
-    lengths = {page: len(printed(page, sheets).pages) for page in chapter_of}
-    for page, length in lengths.items():
+    # the numbers of sheets depend on the length of the contents, which does not depend on them:
+    # they stand in a column of their own
+    sheets, number = dict.fromkeys(chapter_of, ""), 1
+    lengths = {page: length(printed(page, sheets)) for page in chapter_of}
+    for page, count in lengths.items():
         sheets[page] = number
-        number += length
+        number += count
     document = Document()
     for page, chapter in chapter_of.items():
         document.append(page, printed(page, sheets), chapter)

@@ -49,6 +49,17 @@ def text_of(sheet):
     return " ".join(sheet.extract_text().split())
 
 
+def test_contents_give_the_numbers_of_their_sheets(document):
+    """The contents, and those of the appendix, give in their order the numbers of what they list."""
+    reader = PdfReader(document[1])
+    front, chapter, (*sections, appendix, solutions) = reader.outline
+    for contents, entries in (front, [chapter, *sections, appendix]), (appendix, solutions):
+        numbers = [reader.get_destination_page_number(entry) + 1 for entry in entries]
+        sheets = reader.pages[reader.get_destination_page_number(contents) : numbers[0] - 1]
+        words = iter(" ".join(map(text_of, sheets)).split())
+        assert all(str(number) in words for number in numbers)
+
+
 def test_solutions_stand_in_the_appendix(document):
     """A statement is printed without its hints and its solution, and each leads to the other."""
     reader = PdfReader(document[1])
