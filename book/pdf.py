@@ -34,14 +34,18 @@ MARGINS = {"marginTop": 0.95, "marginBottom": 0.85, "marginLeft": 0.8, "marginRi
 #: Text of the site is 18 px high; on paper it is set in 11 points.
 SCALE = 0.8
 STYLE = (ROOT / "book" / "pdf.css").read_text()
+#: The fonts of the site, of which the first rules of its style tell.
+FONTS = re.findall(r"@font-face .*", (ROOT / "book" / "_static" / "workbook.css").read_text())
 
 
 #: What the anchor of a problem's page is called that leads to its solution.
 SOLUTION = "solution"
+#: Links to functions of the library, whose pages are not printed.
+LIBRARY = ".used-in"
 #: What is not printed in each part of a problem's page; "" is the statement.
 HIDDEN = {
-    "": ".solution, .tag_check, .common-mistakes, .used-in, .to-statement",
-    SOLUTION: ".problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
+    "": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
+    SOLUTION: f"{LIBRARY}, .problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
 }
 
 
@@ -117,13 +121,26 @@ class Printer:
                     `<p class=to-solution><a href="?#${arguments[1]}">Solution</a></p>
                      <p class=to-statement><a href="${location.pathname}">Problem</a></p>`);
                 const ready = window.MathJax?.startup?.promise ?? Promise.resolve();
-                ready.then(() => document.fonts.ready).then(arguments[2]);""",
+                ready.then(() => {
+                    // a statement is printed without its hints: they stand before the solution
+                    const hints = document.createElement('div');
+                    hints.className = 'hints';
+                    for (const answer of document.querySelectorAll('.answer:has(> .hint)')) {
+                        const line = hints.appendChild(document.createElement('p'));
+                        line.append(answer.querySelector('code').cloneNode(true));
+                        for (const hint of answer.querySelectorAll('.hint > :not(summary)'))
+                            line.append(' ', ...hint.cloneNode(true).childNodes);
+                    }
+                    if (hints.childElementCount) hints.insertAdjacentHTML('afterbegin', '<h2>Hints</h2>');
+                    document.querySelector('.problem-head')?.before(hints);
+                    return document.fonts.ready;
+                }).then(arguments[2]);""",
                 sorted(anchors),
                 SOLUTION,
             )
             self.printed[page.name] = {
                 part: self._part(hidden)
-                for part, hidden in (HIDDEN if page.is_problem else {"": "none"}).items()
+                for part, hidden in (HIDDEN if page.is_problem else {"": LIBRARY}).items()
             }
         return PdfReader(io.BytesIO(self.printed[page.name][page.part]))
 
@@ -141,9 +158,11 @@ class Printer:
     def typeset(self, body):
         """Return the PDF of a body of HTML that has its own sheets."""
         with tempfile.NamedTemporaryFile("w", suffix=".html") as file:
-            file.write(f"<!doctype html><meta charset=utf-8><style>{STYLE}</style>{body}")
+            fonts = "".join(FONTS).replace("url(", f"url({(SITE / '_static').as_uri()}/")
+            file.write(f"<!doctype html><meta charset=utf-8><style>{fonts}{STYLE}</style>{body}")
             file.flush()
             self.driver.get(Path(file.name).as_uri())
+            self.driver.execute_async_script("document.fonts.ready.then(arguments[0])")
             return PdfReader(io.BytesIO(self._pdf({"preferCSSPageSize": True})))
 
     def _pdf(self, options):
@@ -196,6 +215,14 @@ def _target(base, href):
     return str(path.relative_to(SITE).with_suffix("")), unquote(anchor)
 
 
+def length(printed):
+    """Return the number of sheets with text: space below the last line may take a sheet of its own."""
+    count = len(printed.pages)
+    while count > 1 and not printed.pages[count - 1].extract_text().strip():
+        count -= 1
+    return count
+
+
 class Document:
     """Printed pages, joined in their order."""
 
@@ -207,10 +234,7 @@ class Document:
 
     def append(self, page, printed, chapter):
         """Append a page under its chapter's running head."""
-        first, count = len(self.writer.pages), len(printed.pages)
-        # Space below the last line may take a sheet of its own.
-        while count > 1 and not printed.pages[count - 1].extract_text().strip():
-            count -= 1
+        first, count = len(self.writer.pages), length(printed)
         self.positions[page.name, page.part] = first, None
         for anchor, position in printed.named_destinations.items():
             sheet = min(printed.get_destination_page_number(position), count - 1)
@@ -316,12 +340,13 @@ def join(printer, title, groups, anchors, path):
             return printer.typeset(contents(heading, listed, sheets))
         return printer.print(page, anchors[page.name])
 
-    # the numbers of sheets depend on the length of the contents, which does not depend on them
-    sheets, number = dict.fromkeys(chapter_of, "1000"), 1
-    lengths = {page: len(printed(page, sheets).pages) for page in chapter_of}
-    for page, length in lengths.items():
+    # the numbers of sheets depend on the length of the contents, which does not depend on them:
+    # they stand in a column of their own
+    sheets, number = dict.fromkeys(chapter_of, ""), 1
+    lengths = {page: length(printed(page, sheets)) for page in chapter_of}
+    for page, count in lengths.items():
         sheets[page] = number
-        number += length
+        number += count
     document = Document()
     for page, chapter in chapter_of.items():
         document.append(page, printed(page, sheets), chapter)

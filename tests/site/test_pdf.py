@@ -49,8 +49,19 @@ def text_of(sheet):
     return " ".join(sheet.extract_text().split())
 
 
+def test_contents_give_the_numbers_of_their_sheets(document):
+    """The contents, and those of the appendix, give in their order the numbers of what they list."""
+    reader = PdfReader(document[1])
+    front, chapter, (*sections, appendix, solutions) = reader.outline
+    for contents, entries in (front, [chapter, *sections, appendix]), (appendix, solutions):
+        numbers = [reader.get_destination_page_number(entry) + 1 for entry in entries]
+        sheets = reader.pages[reader.get_destination_page_number(contents) : numbers[0] - 1]
+        words = iter(" ".join(map(text_of, sheets)).split())
+        assert all(str(number) in words for number in numbers)
+
+
 def test_solutions_stand_in_the_appendix(document):
-    """A statement is printed without its solution, and each leads to the other."""
+    """A statement is printed without its hints and its solution, and each leads to the other."""
     reader = PdfReader(document[1])
     first = {}
     for entry in (sections := reader.outline[2]) + sections[-1]:
@@ -67,10 +78,11 @@ def test_solutions_stand_in_the_appendix(document):
                 for link in reader.pages[sheet]["/Annots"]
                 if "/Dest" in link.get_object()
             }
-    solved = [
-        number for number, sheet in enumerate(reader.pages) if "Worked solution" in text_of(sheet)
-    ]
-    assert solved and min(solved) > appendix
+    texts = [text_of(sheet) for sheet in reader.pages]
+    for title in ("Worked solution", "Hints"):
+        sheets = [number for number, text in enumerate(texts) if title in text]
+        assert sheets and min(sheets) > appendix
+    assert not [number for number, text in enumerate(texts) if "Hint 1" in text]
 
 
 def test_sheets_are_numbered(document):
