@@ -1,8 +1,8 @@
 # %% wrong
-# Is a variable missed because the control does not stand in its equation? (hint 1)
+# Is a variable uncontrollable because its equation lacks the control? (hint 1)
 missed_by_u1 = [[0, 1, 0, 0], [0, 0, 1, 0]]
 missed_by_u1 = [[0, 0, 0, 1]]  # Is this uncontrollable by the other control? (hint 1)
-# Is a variable missed because the control does not stand in its equation? (hint 1)
+# Is a variable uncontrollable because its equation lacks the control? (hint 1)
 missed_by_u2 = [[1, 0, 0, 0], [0, 0, 0, 1]]
 missed_by_u2 = []  # Is the system controllable by each control because it is by both? (hint 1)
 # Does the second control enter the part of the first one here? (hint 1)
