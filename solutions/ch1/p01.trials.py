@@ -24,7 +24,7 @@ b_equilibria = [[q, p] for p, q in b_equilibria]
 b_equilibria = [[p - 2 * b_shift, q] for p, q in b_equilibria]
 # What is the sign of the derivative of the denominator $y^2 - x$ with respect to $x$? (hint 1)
 b_spectra = [[p, q, *sp.Matrix([[1, 2 * q], [1, -b_slope]]).eigenvals()] for p, q in b_equilibria]
-# Did the imaginary unit get lost under a root? Look at the discriminant once more. (hint 1)
+# Was the imaginary unit lost under a root? Look at the discriminant once more. (hint 1)
 b_spectra = [[p, q, sp.re(v) + sp.im(v), sp.re(w) + sp.im(w)] for p, q, v, w in b_spectra]
 b_stable = b_equilibria  # Is one negative eigenvalue enough? (hint 1)
 # Are complex eigenvalues a sign of instability, or does their real part decide? (hint 1)

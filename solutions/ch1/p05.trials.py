@@ -68,7 +68,7 @@ b_eigenvalues = [[0, 2, 1], [sp.I * Omega, 2, 2], [-sp.I * Omega, 2, 2]]
 b_eigenvalues = [[sp.I * Omega, 2, 2], [-sp.I * Omega, 2, 2]]
 # Is this form positive in every direction, or is there one along which it is zero? (hint 1)
 b_integral = v2**2 + (3 * Omega * x2 + 2 * r0 * y1) ** 2 + v3**2 + Omega**2 * x3**2
-# About which height does the satellite swing? Which combination is constant? (hint 2)
+# About which height does the satellite oscillate? Which combination is constant? (hint 2)
 b_integral = v2**2 + Omega**2 * x2**2 + r0**2 * y1**2 + v3**2 + Omega**2 * x3**2
 # This is constant, but is it positive definite?
 b_integral = v2**2 + r0**2 * y1**2 - 3 * Omega**2 * x2**2 + v3**2 + Omega**2 * x3**2

@@ -1,5 +1,5 @@
 # %% wrong
-# Was the factor of the sine lost in the equation of rest? (hint 1)
+# Was the factor of the sine lost in the equilibrium equation? (hint 1)
 a_exists = k >= -sp.Rational(3, 2)
 # Is there no stationary solution where the two families meet? (hint 1)
 a_exists = k > -sp.Rational(3, 4)

@@ -4,7 +4,7 @@ a_region = epsilon > 0  # Is friction alone enough? What does the spring have to
 a_region = epsilon * omega2 > 0
 # Do motions without friction tend to zero? (hint 1)
 a_region = sp.And(epsilon >= 0, omega2 > 0)
-# Must the pendulum swing in order to be stable? (hint 1)
+# Must the pendulum oscillate in order to be stable? (hint 1)
 a_region = sp.And(epsilon > 0, epsilon**2 < 4 * omega2)
 # Is it enough to look at the sum of the roots? One of them may be slow. (hint 1)
 b_region = sp.And(epsilon >= 2 * margin, omega2 > 0)

@@ -1,5 +1,5 @@
 # %% wrong
-possible = sp.Ne(alpha, -2)  # Was a root put into the equation with its sign lost? (hint 2)
+possible = sp.Ne(alpha, -2)  # Was a root substituted with the wrong sign? (hint 2)
 # Is this the exceptional value itself, instead of all others? (hint 1)
 possible = sp.Eq(alpha, 2)
 # Must the roots be real and different? (hint 1)
@@ -8,7 +8,7 @@ possible = sp.And(alpha > -sp.Rational(1, 4), sp.Ne(alpha, 2))
 # (hint 1)
 possible = sp.true
 unseen = {2: [[1, 2]]}  # Is this the observable motion? (hint 1)
-unseen = {-2: [[1, -1]]}  # Was a root put into the equation with its sign lost? (hint 1)
+unseen = {-2: [[1, -1]]}  # Was a root substituted with the wrong sign? (hint 1)
 # Does z stay zero here for ever, or only at one instant? (hint 1)
 unseen = {2: [[1, -1]], 0: [[1, -1]]}
 # Which sign do the coefficients of the polynomial have in this form? (hint 1)

@@ -4,7 +4,7 @@ a_observable = True  # Is it enough that z and its derivative contain all states
 a_unseen = [list(a_output)]
 # Are these the states with zero output at a single instant only? (hint 1)
 a_unseen = [list(v) for v in a_output.nullspace()]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 a_split = sp.Matrix.vstack(*(a_output * a_system**k for k in range(3)))
 # Which coordinates must come first? (hint 1)
 a_split = sp.Matrix(a_split)[::-1, :]
@@ -37,7 +37,7 @@ f_observable = True  # Is it observable if the state is found only in the limit?
 f_unseen = [f_unseen[0], [0, 0, 0]]
 # Is this what the second observable coordinate measures? (hint 1)
 f_unseen = [list(f_output * f_system)]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 f_split = sp.Matrix.vstack(*(f_output * f_system**k for k in range(3)))
 g_observable = True  # Do complex eigenvalues make everything observable? (hint 1)
 # Is this the measured direction? (hint 1)

@@ -1,31 +1,31 @@
 # %% wrong
-# Is stability asked for here as well? (hint 1)
+# Is stability required here as well? (hint 1)
 a_region = sp.And(lam1 < 0, lam2 < 0, sp.Ne(lam1, lam2))
-a_region = sp.true  # Is the whole controllable as soon as each part is? (hint 1)
-a_region = sp.Ne(lam1**2, lam2**2)  # Are rates of opposite sign alike? (hint 1)
+a_region = sp.true  # Is the whole system controllable whenever each part is? (hint 1)
+a_region = sp.Ne(lam1**2, lam2**2)  # Are rates of opposite sign equal? (hint 1)
 b_region = sp.false  # Does an equal stiffness give a common eigenvalue? (hint 2)
-b_region = sp.true  # Are both controlled as soon as each is? (hint 1)
+b_region = sp.true  # Are both controllable together whenever each is? (hint 1)
 # Was the real part of an eigenvalue compared with a coefficient? (hint 1)
 b_region = sp.Ne(p, 1)
-b_region = sp.And(sp.Ne(p, 2), p**2 < 20)  # Must the second house swing? (hint 1)
-# How many eigenvalues are common? Each takes a combination of its own. (hint 2)
+b_region = sp.And(sp.Ne(p, 2), p**2 < 20)  # Must the second house oscillate? (hint 1)
+# How many eigenvalues are common? Each makes one combination uncontrollable. (hint 2)
 b_uncontrolled = {2: [[1, 0, -1, 0]]}
-# Sums or differences: in which of them does u drop out? (hint 1)
+# Sums or differences: in which of them does u cancel? (hint 1)
 b_uncontrolled = {2: [[1, 0, 1, 0], [0, 1, 0, 1]]}
-# Does a double root of one house alone spoil anything? (hint 2)
+# Does a double root of one house alone destroy controllability? (hint 2)
 b_uncontrolled = {2: [[1, 0, -1, 0], [0, 1, 0, -1]], sp.sqrt(20): [[1, 0, -1, 0]]}
-# With which shares does the pipe fill the tanks? (hint 2)
+# In what proportion does the pipe fill the tanks? (hint 2)
 c_uncontrolled = {2: [[1, 0, -1]], 3: [[2, -1, -2]]}
 # Does the content of the lower tank alone obey an equation with one rate? (hint 1)
 c_uncontrolled = {2: [[2, 0, -1]], 3: [[0, 2, -1]]}
 c_uncontrolled = {2: [[2, 0, -1]]}  # Was only one of the tanks compared with y? (hint 1)
-# Are these motions, columns, where rows are asked for? (hint 1)
+# Are these motions, columns, where rows are required? (hint 1)
 c_uncontrolled = {2: [[1, 2, -2]], 3: [[0, 1, -1]]}
 d_own_pipe = False  # Does the theorem used here hold for two controls of this kind? (hint 1)
-d_lower_pipe = sp.true  # Does any second control repair a common eigenvalue? (hint 1)
+d_lower_pipe = sp.true  # Does every second control make the tanks controllable? (hint 1)
 # Does the theorem used here hold for a pipe into this tank? (hint 1)
 d_lower_pipe = sp.And(sp.Ne(r, 2), sp.Ne(r, 3))
-# Does the pipe collide with the rate of the tank that it fills? (hint 1)
+# Does the rate of the tank that the second pipe fills matter? (hint 1)
 d_lower_pipe = sp.Ne(r, 3)
 
 # %% right

@@ -7,7 +7,7 @@ a_region = sp.Or(*(sp.Eq(alpha, value) for value in a_uncontrolled))
 a_region = sp.And(sp.Ne(alpha, min(a_uncontrolled)), alpha < max(a_uncontrolled))
 # Is one combination the whole basis at each of these values? (hint 2)
 a_uncontrolled = {value: rows[:1] for value, rows in a_uncontrolled.items()}
-# Is one of these bases a basis of what can be reached? (hint 1)
+# Is one of these bases a basis of the controllable part? (hint 1)
 a_uncontrolled = {
     value: rows if len(rows) > 1 else [list(v.subs(alpha, value)) for v in (B_a, A_a * B_a)]
     for value, rows in a_uncontrolled.items()
@@ -19,31 +19,31 @@ eigenvalue = (w * A_b * w.T)[0] / (w * w.T)[0]
 b_uncontrolled = b_uncontrolled | {value: [list((A_b - eigenvalue * sp.eye(3)).nullspace()[0])]}
 # Was one factor of the determinant overlooked? (hint 1)
 b_region = sp.Ne(alpha, max(b_uncontrolled))
-# Did the sign of a factor decide here, where only its zero should? (hint 1)
+# Does the sign of a factor matter here, or only its zero? (hint 1)
 b_region = sp.And(alpha > min(b_uncontrolled), alpha < max(b_uncontrolled))
 # Is one row the whole basis at each of these values? (hint 2)
 b_uncontrolled = {value: rows[:1] for value, rows in b_uncontrolled.items()}
-# Have the two values changed places? (hint 2)
+# Were the two values swapped? (hint 2)
 p, q = b_uncontrolled
 b_uncontrolled = {p: b_uncontrolled[q], q: b_uncontrolled[p]}
 # Were the roots taken with the wrong sign? (hint 1)
 c_region = sp.And(*(sp.Ne(alpha, -value) for value in c_uncontrolled))
-# Is a double eigenvalue without growth no danger? (hint 1)
+# Is a double eigenvalue without growth harmless? (hint 1)
 c_region = sp.Ne(alpha, min(c_uncontrolled))
-# Does a squared factor always mean two lost combinations? (hint 1)
+# Does a squared factor always mean two uncontrollable combinations? (hint 1)
 c_uncontrolled = {
     value: [*rows, [1, 0, 0]] if value == max(c_uncontrolled) else rows
     for value, rows in c_uncontrolled.items()
 }
 # Was one of the values overlooked? (hint 1)
 c_uncontrolled = dict([min(c_uncontrolled.items())])
-# Was only a part of the coordinates looked at? (hint 1)
+# Were only some of the coordinates considered? (hint 1)
 d_region = sp.Ne(2 * alpha**2 + 2 * alpha + 1, 0)
-# Is there a single value at which something is lost? Look at the columns of W first. (hint 1)
+# Is the system uncontrollable at a single value only? Look at the rows of W first. (hint 1)
 d_region = sp.Ne(alpha, 1)
-# Is it the value at which the control enters fewer equations that matters? (hint 1)
+# Does it matter at which value the control enters fewer equations? (hint 1)
 d_region = sp.Ne(alpha, 0)
-# Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+# Is everything controllable? Look for a combination whose derivative does not contain u. (hint 1)
 d_uncontrolled = []
 # Was a sign lost? Does the control enter this combination? (hint 1)
 d_uncontrolled = [[d_uncontrolled[0][0], -d_uncontrolled[0][1], 0]]

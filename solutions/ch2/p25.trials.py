@@ -1,26 +1,26 @@
 # %% wrong
-a_region = sp.false  # Must a single control do it? Take minors with columns of both. (hint 1)
-# Must every equation hold a control? (hint 1)
+a_region = sp.false  # Must a single control be enough? Take minors with columns of both. (hint 1)
+# Must every equation contain a control? (hint 1)
 a_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, 1))
 a_region = sp.Ne(alpha, -1)  # Was a sign lost in the exceptional value? (hint 2)
 # Is this the exceptional value itself, instead of all others? (hint 2)
 a_region = sp.Eq(alpha, 1)
-# Is this what one control alone has lost? The other one still drives a part of it. (hint 2)
+# Is this uncontrollable for one control alone? The other one still drives a part of it. (hint 2)
 a_uncontrolled = {1: [[-1, 0, 1], [-1, 1, 1]]}
-# Is the whole plane of the double eigenvalue lost? (hint 2)
+# Is the whole plane of the double eigenvalue uncontrollable? (hint 2)
 a_uncontrolled = {1: [[-1, 1, 0], [-1, 0, 1]]}
-# Is this what can be reached, in the place of what cannot? (hint 1)
+# Is this the controllable part instead of the uncontrollable one? (hint 1)
 a_uncontrolled = {1: [[1, 0, 1]]}
 b_region = sp.true  # Are two controls always enough? Count the left eigenvectors. (hint 1)
 # Does one vanishing entry of W matter? (hint 2)
 b_region = sp.And(sp.Ne(alpha, 0), sp.Ne(alpha, -sp.Rational(1, 2)))
 # Must there be as many controls as the eigenvalue has multiplicity? (hint 1)
 b_region = sp.false
-b_uncontrolled = {0: [[-2, 1, 0], [-1, 0, 1]]}  # Are both left eigenvectors lost? (hint 2)
-# Is a coordinate lost because one control does not enter it? (hint 1)
+b_uncontrolled = {0: [[-2, 1, 0], [-1, 0, 1]]}  # Are both rows uncontrollable? (hint 2)
+# Is a coordinate uncontrollable because one control does not enter it? (hint 1)
 b_uncontrolled = {0: [[0, 0, 1]]}
 b_uncontrolled = {0: [[1, 2, 0]]}  # Is this an eigenvector of A instead of a left one? (hint 2)
-b_uncontrolled = {}  # Is nothing lost at any value? (hint 1)
+b_uncontrolled = {}  # Is the system controllable at every value? (hint 1)
 
 # %% right
 a_region = sp.Or(alpha < 1, alpha > 1)  # two intervals

@@ -6,7 +6,7 @@ a_roots = [(-3 + sp.sqrt(149)) / 10, (-3 - sp.sqrt(149)) / 10]
 # Are complex roots asked for as well?
 a_roots = [sp.sqrt((sp.sqrt(149) - 3) / 10), -sp.sqrt((sp.sqrt(149) - 3) / 10)]
 a_lost = [1, -1]  # Are these numbers roots of the system at all? (hint 2)
-# Is a mode out of control because it runs away? (hint 2)
+# Is a mode uncontrollable because it grows? (hint 2)
 a_lost = [sp.sqrt((sp.sqrt(149) - 3) / 10)]
 a_controllable = False  # Is one force not enough for two coordinates? (hint 1)
 # Were the terms of first order left out? (hint 1)
@@ -15,33 +15,33 @@ b_roots = sp.solve(sp.Symbol("q") ** 4 + sp.Symbol("q") ** 2 - 5)
 import numpy as np
 
 b_roots = np.roots([1, -2, -4, 0, -5])
-# Does a negative value of the square of s give no root? (hint 2)
+# Does a negative value of the square of s really give no root? (hint 2)
 b_roots = [sp.sqrt(sp.sqrt(14) - 3), -sp.sqrt(sp.sqrt(14) - 3)]
-# Is it the difference of the two components that has to vanish, or each of them? (hint 2)
+# Must the difference of the two components vanish, or each of them? (hint 2)
 b_lost = [-1]
-b_lost = [sp.sqrt(sp.sqrt(14) - 3)]  # Do gyroscopic terms treat s and -s differently? (hint 1)
-b_controllable = False  # Do gyroscopic terms stand in the way of control? (hint 1)
+b_lost = [sp.sqrt(sp.sqrt(14) - 3)]  # Do gyroscopic terms distinguish s and -s here? (hint 1)
+b_controllable = False  # Do gyroscopic terms exclude controllability? (hint 1)
 c_controllable = False  # Must the verdict differ from that of item a? Compute it. (hint 1)
 c_region = sp.Ne(k, (13 + sp.sqrt(149)) / 2)  # Was one of the values overlooked? (hint 2)
-# Are these the exceptional values in the place of the others? (hint 2)
+# Are these the exceptional values instead of the others? (hint 2)
 c_region = sp.Eq(k**2 - 13 * k + 5, 0)
 c_region = sp.Ne(k, 0)  # Must the force act on both coordinates? (hint 1)
-c_region = sp.true  # Is no number excluded because no whole number is? (hint 2)
-# Was the row taken as if the two forces had changed places? (hint 1)
+c_region = sp.true  # Is no number excluded because no rational number is? (hint 2)
+# Was the row taken with the two forces swapped? (hint 1)
 c_region = sp.Ne(5 * k**2 - 13 * k + 1, 0)
 # Were the roots of the other factor left out? (hint 1)
 d_roots = [sp.sqrt(3 - beta), -sp.sqrt(3 - beta)]
-# Which sign has the parameter under the root? (hint 1)
+# What is the sign of the parameter under the root? (hint 1)
 d_roots = [sp.I, -sp.I, sp.sqrt(beta - 3), -sp.sqrt(beta - 3)]
 d_region = sp.Ne(beta, 8)  # Was it tested with the shapes instead of the left shapes? (hint 1)
-d_region = sp.Ne(beta, 3) & sp.Ne(beta, 4)  # Is a double root always lost? (hint 2)
-d_region = beta > 3  # Is it the stability of the motion without control that matters? (hint 2)
-d_region = sp.Eq(beta, 3)  # Is this where control is lost, instead of where it is not? (hint 2)
-# Does the rank at the lost root show all that is lost? (hint 2)
+d_region = sp.Ne(beta, 3) & sp.Ne(beta, 4)  # Is a double root always uncontrollable? (hint 2)
+d_region = beta > 3  # Does the stability of the motion without control matter? (hint 2)
+d_region = sp.Eq(beta, 3)  # Is this the exceptional value instead of all others? (hint 2)
+# Does the rank at the uncontrollable root give the full dimension? (hint 2)
 d_uncontrolled = {3: [[0, 0, 2, 1]]}
-# Does this row combine equations, where coordinates are asked for? (hint 1)
+# Does this row combine equations, where coordinates are required? (hint 1)
 d_uncontrolled = {3: [[3, -1, 0, 0], [0, 0, 3, -1]]}
-# Is this the shape of a motion in the place of a row? (hint 1)
+# Is this the shape of a motion instead of a row? (hint 1)
 d_uncontrolled = {3: [[1, -1, 0, 0], [0, 0, 1, -1]]}
 # Does this combination belong to another value of the parameter? (hint 1)
 d_uncontrolled = {4: [[2, 1, 0, 0], [0, 0, 2, 1]]}

@@ -1,37 +1,37 @@
 # %% wrong
 controllable = sp.Ne(beta, 0)  # Is it enough that the control enters both equations? (hint 2)
-# Has the left eigenvector the right sign? (hint 1)
+# Does the left eigenvector have the right signs? (hint 1)
 value = next(v for v in uncontrolled if v)
 controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -value))
 # Does the output matter for controllability? (hint 1)
 controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha, *unseen))
-# Does a constant numerator mean that control is lost? (hint 1)
+# Does a constant numerator mean that the system is uncontrollable? (hint 1)
 controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha * beta, -1))
-# Are these columns, directions that can be controlled, in the place of rows? (hint 1)
+# Are these columns, the controllable directions, instead of rows? (hint 1)
 uncontrolled = {v: [list(B.subs(beta, v))] for v in uncontrolled}
 uncontrolled = {0: [[0, 1]]}  # Was one of the two left eigenvectors overlooked? (hint 2)
-# Have the two combinations changed places? (hint 1)
+# Were the two combinations swapped? (hint 1)
 p, q = uncontrolled
 uncontrolled = {p: uncontrolled[q], q: uncontrolled[p]}
-observable = sp.Ne(alpha, 0)  # Must both coordinates stand in z? (hint 1)
-# Is it enough that $x_2$ acts on $x_1$? Think of the motions that $z$ may lose. (hint 2)
+observable = sp.Ne(alpha, 0)  # Must both coordinates appear in z? (hint 1)
+# Is it enough that $x_2$ acts on $x_1$? Think of the motions for which $z$ vanishes. (hint 2)
 observable = sp.true
 value = next(iter(unseen))
 observable = sp.Ne(alpha, -value)  # Was a sign lost in the row h A? (hint 2)
-# Does the control matter for what is seen? (hint 2)
+# Does the control matter for observability? (hint 2)
 observable = sp.And(sp.Ne(alpha, *unseen), sp.Ne(beta, 0))
-# Is this the row of the output in the place of a state that it does not see? (hint 1)
+# Is this the row of the output instead of an unobservable state? (hint 1)
 unseen = {value: [[1, value]] for value in unseen}
 # Is this the eigenvector of the other eigenvalue? (hint 1)
 unseen = {value: [[1, 0]] for value in unseen}
-unseen = {0: [[0, 1]]}  # Is a coordinate lost as soon as it is not measured? (hint 1)
+unseen = {0: [[0, 1]]}  # Is a coordinate unobservable whenever it is not measured? (hint 1)
 # Was the derivative of the control forgotten? (hint 1)
 left, right = equation.args
 equation = sp.Eq(left, right.subs(u.diff(t), 0))
-# Which sign has the action of $x_2$ on $x_1$? (hint 1)
+# What is the sign of the action of $x_2$ on $x_1$? (hint 1)
 left, right = equation.args
 equation = sp.Eq(left, right - 2 * A[0, 1] * beta * u)
-# Does this equation hold for one special value only? It has to be of second order. (hint 2)
+# Does this equation hold only for one special value? It must be of second order. (hint 2)
 equation = sp.Eq(z.diff(t) - A[0, 0] * z, (1 - beta) * u)
 # Were the two fractions added without a common denominator? (hint 1)
 equation = sp.Eq(equation.args[0], (1 + alpha * beta) * u)

@@ -1,24 +1,24 @@
 # %% wrong
-controllable = True  # Is it enough that every equation holds the control? (hint 1)
-uncontrolled = []  # Is nothing lost? Look for a combination without the control. (hint 1)
-uncontrolled = [list(b)]  # Is this the direction in which the control pushes? (hint 1)
+controllable = True  # Is it enough that every equation contains the control? (hint 1)
+uncontrolled = []  # Is there no combination without the control? (hint 1)
+uncontrolled = [list(b)]  # Is this the direction in which the control acts? (hint 1)
 # Is this an eigenvector of A instead of its transpose? (hint 2)
 uncontrolled = [list((A - lost[0] * sp.eye(2)).nullspace()[0])]
-# Is this the eigenvalue of the direction in which the control pushes? (hint 1)
+# Is this the eigenvalue of the direction in which the control acts? (hint 1)
 lost = [A.trace() - lost[0]]
-lost = list(A.eigenvals())  # Are all eigenvalues lost? (hint 1)
-lost = []  # Is no eigenvalue lost, though a combination escapes the control? (hint 1)
+lost = list(A.eigenvals())  # Are all eigenvalues uncontrollable? (hint 1)
+lost = []  # Is every eigenvalue controllable, though one combination is not? (hint 1)
 # Does this lead from x to the new coordinates, instead of from them to x? (hint 1)
 split = sp.Matrix.hstack(b, (A - lost[0] * sp.eye(2)).nullspace()[0]).inv()
-# Which coordinate has to stand first? (hint 1)
+# Which coordinate must come first? (hint 1)
 split = sp.Matrix.hstack((A - lost[0] * sp.eye(2)).nullspace()[0], b)
-split = sp.Matrix.hstack(b, 2 * b)  # Has this matrix an inverse? (hint 1)
+split = sp.Matrix.hstack(b, 2 * b)  # Does this matrix have an inverse? (hint 1)
 split = sp.eye(2)  # Can the coordinates be left as they are? (hint 1)
-# Does the control still enter the equation of what is lost? (hint 2)
+# Does the control still enter the uncontrollable equation? (hint 2)
 split_system = [sp.diag(A.trace() - lost[0], lost[0]), sp.Matrix([1, 1])]
-# Does the coupling stand on the right side of the diagonal? (hint 1)
+# Is the coupling on the correct side of the diagonal? (hint 1)
 split_system = [sp.Matrix([[A.trace() - lost[0], 0], [2, lost[0]]]), sp.Matrix([1, 0])]
-# Have the two eigenvalues changed places? (hint 1)
+# Were the two eigenvalues swapped? (hint 1)
 split_system = [sp.diag(lost[0], A.trace() - lost[0]), sp.Matrix([1, 0])]
 
 # %% right

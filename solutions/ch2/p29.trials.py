@@ -1,20 +1,20 @@
 # %% wrong
 # Was a common factor cancelled before the equation became a system? (hint 2)
 controllable = True
-# Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+# Is everything controllable? Look for a combination whose derivative does not contain u. (hint 1)
 uncontrolled = []
 uncontrolled = [[2, 1]]  # Was a sign lost? Does the control enter this combination? (hint 1)
-uncontrolled = [[1, 2]]  # Is this the direction in which the control pushes? (hint 1)
+uncontrolled = [[1, 2]]  # Is this the direction in which the control acts? (hint 1)
 split = sp.Matrix([[1, 1], [2, -1]]).T  # Were the columns written as rows? (hint 1)
-split = sp.Matrix([[1, 1], [-1, 2]])  # Which coordinate has to stand first? (hint 1)
+split = sp.Matrix([[1, 1], [-1, 2]])  # Which coordinate must come first? (hint 1)
 # Was the derivative of u dropped from the equation? (hint 1)
 split = sp.Matrix([[0, 1], [1, 1]])
-# Which sign has the lost root? (hint 1)
+# What is the sign of the uncontrollable root? (hint 1)
 split_system = [sp.Matrix([[2, 0], [0, 1]]), sp.Matrix([1, 0])]
-# Which of the two roots is lost, the one that cancels or the other? (hint 1)
+# Which of the two roots is uncontrollable, the one that cancels or the other? (hint 1)
 split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]
-split_system = [A, B]  # Is this the system as it was? (hint 1)
-region = sp.Ne(a, 1)  # Has the left-hand side another root? (hint 2)
+split_system = [A, B]  # Is this the original system? (hint 1)
+region = sp.Ne(a, 1)  # Does the left-hand side have another root? (hint 2)
 # Are these the roots, where their negatives are needed? (hint 2)
 region = sp.And(sp.Ne(a, -1), sp.Ne(a, 2))
 # Are these the exceptional values instead of all others? (hint 1)
@@ -22,7 +22,7 @@ region = sp.Or(sp.Eq(a, 1), sp.Eq(a, -2))
 uncontrolled_where = {1: [[-2, 1]]}  # Was one of the values overlooked? (hint 1)
 # Are these the roots, where their negatives are needed? (hint 1)
 uncontrolled_where = {-1: [[-2, 1]], 2: [[1, 1]]}
-uncontrolled_where = {1: [[1, 1]], -2: [[-2, 1]]}  # Have the two rows changed places? (hint 1)
+uncontrolled_where = {1: [[1, 1]], -2: [[-2, 1]]}  # Were the two rows swapped? (hint 1)
 
 # %% right
 uncontrolled = [[1, -sp.Rational(1, 2)]]  # another length and sign

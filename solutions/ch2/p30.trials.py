@@ -5,21 +5,21 @@ a_uncontrolled = [list(b_a)]
 a_uncontrolled = [list(sp.Matrix(a_uncontrolled[0]).cross(b_a))]
 # Does this lead from x to the new coordinates, instead of from them to x?
 a_split = sp.Matrix(a_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 a_split = sp.Matrix(a_split)[:, ::-1]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 a_split = sp.Matrix.hstack(b_a, A_a * b_a, A_a**2 * b_a)
 # Is it enough that the driven variable acts on both others? (hint 1)
 b_uncontrolled = []
-# Does a combination of all three equations lose the control? (hint 1)
+# Does the control cancel in a combination of all three equations? (hint 1)
 b_uncontrolled = [[p + q for p, q in zip(b_uncontrolled[0], b_b)]]
 # Does this lead from x to the new coordinates, instead of from them to x?
 b_split = sp.Matrix(b_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 b_split = sp.Matrix(b_split)[:, ::-1]
 # Can the coordinates be left as they are? (hint 1)
 b_split = sp.eye(3)
-# Which sign has the effect of the driven variable on the other two? (hint 1)
+# What is the sign of the effect of the driven variable on the other two? (hint 1)
 c_uncontrolled = [list(sp.Matrix(c_uncontrolled[0]).cross(b_c))]
 # Is this an eigenvector of A instead of its transpose?
 w = sp.Matrix([c_uncontrolled[0]])
@@ -27,11 +27,11 @@ value = (w * A_c * w.T)[0] / (w * w.T)[0]
 c_uncontrolled = [list((A_c - value * sp.eye(3)).nullspace()[0])]
 # Does this lead from x to the new coordinates, instead of from them to x?
 c_split = sp.Matrix(c_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 c_split = sp.Matrix(c_split)[:, ::-1]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 c_split = sp.Matrix.hstack(b_c, A_c * b_c, A_c**2 * b_c)
-# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+# The control cancels here, but is the derivative a multiple of the combination itself? (hint 1)
 d_uncontrolled = [list(b_d.cross(sp.Matrix([1 - p**2 for p in b_d])))]
 # Is this an eigenvector of A instead of its transpose? (hint 1)
 w = sp.Matrix([d_uncontrolled[0]])
@@ -39,43 +39,43 @@ value = (w * A_d * w.T)[0] / (w * w.T)[0]
 d_uncontrolled = [list((A_d - value * sp.eye(3)).nullspace()[0])]
 # Does this lead from x to the new coordinates, instead of from them to x?
 d_split = sp.Matrix(d_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 d_split = sp.Matrix(d_split)[:, ::-1]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 d_split = sp.Matrix.hstack(b_d, A_d * b_d, A_d**2 * b_d)
-# Must the control enter an equation directly? Ask who drives this variable. (hint 1)
+# Must the control enter an equation directly? Which variables act on this one? (hint 1)
 e_uncontrolled = [list(sp.Matrix(e_uncontrolled[0]).cross(b_e))]
-# Are both variables lost that have no u in their equations? (hint 1)
+# Are both variables without u in their equations uncontrollable? (hint 1)
 e_uncontrolled = [e_uncontrolled[0], list(sp.Matrix(e_uncontrolled[0]).cross(b_e))]
 # Does this lead from x to the new coordinates, instead of from them to x?
 e_split = sp.Matrix(e_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 e_split = sp.Matrix(e_split)[:, ::-1]
 # Can the coordinates be left as they are? (hint 1)
 e_split = sp.eye(3)
-# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+# The control cancels here, but is the derivative a multiple of the combination itself? (hint 1)
 f_uncontrolled = [list(b_f.cross(sp.Matrix([1 - p**2 for p in b_f])))]
 # Is this an eigenvector of A instead of its transpose? (hint 1)
 w = sp.Matrix([f_uncontrolled[0]])
 value = (w * A_f * w.T)[0] / (w * w.T)[0]
 f_uncontrolled = [list((A_f - value * sp.eye(3)).nullspace()[0])]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 f_split = sp.Matrix(f_split)[:, ::-1]
 # Was a sign lost? Does the driven variable act on this combination? (hint 1)
 g_uncontrolled = [list(sp.Matrix(g_uncontrolled[0]).cross(b_g))]
-# Are both variables lost that have no u in their equations? (hint 1)
+# Are both variables without u in their equations uncontrollable? (hint 1)
 g_uncontrolled = [list(sp.eye(3).row(k)) for k in range(3) if b_g[k] == 0]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 g_split = sp.Matrix(g_split)[:, ::-1]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 g_split = sp.Matrix.hstack(b_g, A_g * b_g, A_g**2 * b_g)
-# Is this variable the lost combination by itself? (hint 1)
+# Is this variable alone the uncontrollable combination? (hint 1)
 h_uncontrolled = [list((2 * b_h + A_h * b_h - sp.Matrix(h_uncontrolled[0])) / 3)]
-# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+# The control cancels here, but is the derivative a multiple of the combination itself? (hint 1)
 h_uncontrolled = [list(b_h.cross(sp.Matrix([1 - p**2 for p in b_h])))]
 # Does this lead from x to the new coordinates, instead of from them to x?
 h_split = sp.Matrix(h_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 h_split = sp.Matrix(h_split)[:, ::-1]
 # Can the coordinates be left as they are? (hint 1)
 h_split = sp.eye(3)
@@ -83,31 +83,31 @@ h_split = sp.eye(3)
 w = sp.Matrix([i_uncontrolled[0]])
 value = (w * A_i * w.T)[0] / (w * w.T)[0]
 i_uncontrolled = [list((A_i - value * sp.eye(3)).nullspace()[0])]
-# Does a multiple eigenvalue mean that as many combinations are lost? (hint 1)
+# Does a multiple eigenvalue mean that as many combinations are uncontrollable? (hint 1)
 i_uncontrolled = [i_uncontrolled[0], list((b_i - A_i * b_i - 2 * sp.Matrix(i_uncontrolled[0])) / 3)]
 # Does this lead from x to the new coordinates, instead of from them to x?
 i_split = sp.Matrix(i_split).inv()
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 i_split = sp.Matrix(i_split)[:, ::-1]
-# Has this matrix an inverse? (hint 1)
+# Does this matrix have an inverse? (hint 1)
 i_split = sp.Matrix.hstack(b_i, A_i * b_i, A_i**2 * b_i)
 # Does the control cancel in the difference, or in the sum? (hint 1)
 j_uncontrolled = [list(sp.Matrix(j_uncontrolled[0]).cross(b_j))]
 # Does the control cancel when all three equations are combined? (hint 1)
 j_uncontrolled = [[p + q for p, q in zip(j_uncontrolled[0], b_j)]]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 j_split = sp.Matrix(j_split)[:, ::-1]
 # Is this the variable that the control enters? (hint 1)
 k_uncontrolled = [list(b_k)]
-# Is nothing lost? Look for a combination whose derivative does not hold u. (hint 1)
+# Is everything controllable? Look for a combination whose derivative does not contain u. (hint 1)
 k_uncontrolled = []
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 k_split = sp.Matrix(k_split)[:, ::-1]
-# The control cancels here, but does the derivative hold only the combination itself? (hint 1)
+# The control cancels here, but is the derivative a multiple of the combination itself? (hint 1)
 l_uncontrolled = [list(b_l.cross(sp.Matrix([1 - p**2 for p in b_l])))]
-# Is this the direction in which the control pushes? (hint 1)
+# Is this the direction in which the control acts? (hint 1)
 l_uncontrolled = [list(b_l)]
-# Which coordinates have to stand first? (hint 1)
+# Which coordinates must come first? (hint 1)
 l_split = sp.Matrix(l_split)[:, ::-1]
 # Can the coordinates be left as they are? (hint 1)
 l_split = sp.eye(3)

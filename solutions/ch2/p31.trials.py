@@ -5,22 +5,22 @@ a_controllable = False
 a_matrix = sp.Matrix.hstack(along, A.T * along, A.T**2 * along, A.T**3 * along)
 # Was a column written twice? (hint 1)
 a_matrix = sp.Matrix.hstack(along, A * along, A * along, A**2 * along)
-b_controllable = True  # Is the outward thrust as good as the one along the orbit? (hint 1)
-# Is $v_1$ the rate of $x_1$ in these equations? Mind the turning frame. (hint 2)
+b_controllable = True  # Is the outward thrust as effective as the one along the orbit? (hint 1)
+# Is $v_1$ the rate of $x_1$ in these equations? Remember the rotating frame. (hint 2)
 b_uncontrolled = [[0, 2 * omega, 1, 0]]
-# Is this rate constant by itself? Its equation holds other variables. (hint 1)
+# Is this rate constant by itself? Its equation contains other variables. (hint 1)
 b_uncontrolled = [[0, 0, 1, 0]]
-b_uncontrolled = []  # Is nothing lost? Look for an equation that can be integrated. (hint 1)
-# Is the position along the orbit lost as well? (hint 1)
+b_uncontrolled = []  # Is there no first integral? Look for an equation to integrate. (hint 1)
+# Is the position along the orbit uncontrollable as well? (hint 1)
 b_uncontrolled = [[0, omega, 1, 0], [1, 0, 0, 0]]
-# Is the oscillation lost, or is it what the thruster moves? (hint 1)
+# Is the oscillation uncontrollable, or does the thruster act on it? (hint 1)
 b_lost = [sp.I * omega, -sp.I * omega]
-b_lost = [0, sp.I * omega, -sp.I * omega]  # Are all eigenvalues lost? (hint 1)
-b_lost = []  # Is no eigenvalue lost, though a combination stays constant? (hint 1)
+b_lost = [0, sp.I * omega, -sp.I * omega]  # Are all eigenvalues uncontrollable? (hint 1)
+b_lost = []  # Is every eigenvalue controllable, though a combination is constant? (hint 1)
 # Does this lead from x to the new coordinates, instead of from them to x?
 b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [omega, 0, 0, 1], [0, omega, 1, 0]])
-b_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is $v_1$ the constant? Mind the turning frame. (hint 2)
-# Has this matrix an inverse? (hint 1)
+b_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is $v_1$ the constant? Remember the rotating frame. (hint 2)
+# Does this matrix have an inverse? (hint 1)
 b_split = sp.Matrix.hstack(outward, A * outward, A**2 * outward, A**3 * outward)
 # Does the constant drive nothing? Think of the drift along the orbit. (hint 1)
 b_split_system = [
@@ -32,7 +32,7 @@ b_split_system = [
     sp.Matrix([[0, 0, 0, 1], [0, 0, 1, 0], [0, 3 * omega**2, 0, 0], [0] * 4]),
     sp.Matrix([0, 0, 1, 0]),
 ]
-b_split_system = [A, outward]  # Is this the system as it was? (hint 1)
+b_split_system = [A, outward]  # Is this the original system? (hint 1)
 
 # %% right
 a_matrix = a_matrix.subs(omega, sp.Symbol("omega")) * 1  # with a plain symbol

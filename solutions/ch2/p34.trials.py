@@ -2,37 +2,38 @@
 # Are two controls always enough? Look for a combination that neither enters. (hint 1)
 uncontrolled = []
 uncontrolled = [[0, 1, 1, 0]]  # Do the controls enter this sum? (hint 1)
-# Is a variable lost because no control stands in its equation?
+# Is a variable uncontrollable because its equation contains no control?
 uncontrolled = [[0, 1, -1, 0], [1, 0, 0, 0]]
-# Is this what both controls miss together? One alone may miss more. (hint 1)
+# Is this uncontrollable by both controls together? By one alone more may be uncontrollable. (hint
+# 1)
 missed_by_u2 = [[0, 1, -1, 0]]
-# Is a variable missed although others that are moved act on it? (hint 2)
+# Is a variable uncontrollable although controlled variables act on it? (hint 2)
 missed_by_u2 = [[0, 1, -1, 0], [1, 0, 0, 0]]
-missed_by_u2 = [[0, 1, 1, -1]]  # Was something forgotten that both controls miss? (hint 2)
+missed_by_u2 = [[0, 1, 1, -1]]  # Was the combination uncontrollable by both forgotten? (hint 2)
 sequential = sp.eye(4)  # Can the coordinates be left as they are? (hint 1)
-# Which columns have to stand first? (hint 1)
+# Which columns must come first? (hint 1)
 sequential = sp.Matrix.hstack(sp.Matrix([0, 1, 0, 0]), b1, A * b1, A**2 * b1)
 # Was the chain continued beyond its end? (hint 1)
 sequential = sp.Matrix.hstack(b1, A * b1, A**2 * b1, A**3 * b1)
 # Is this the decomposition in the other order? (hint 1)
 reversed_order = sp.Matrix.hstack(b1, A * b1, A**2 * b1, sp.Matrix([0, 1, 0, 0]))
-# Which part has to stand first? (hint 1)
+# Which part must come first? (hint 1)
 reversed_order = sp.Matrix.hstack(b1, b2, A * b2, sp.Matrix([0, 1, 0, 0]))
 # Is this the sequential decomposition? (hint 1)
 parallel = sp.Matrix.hstack(b1, A * b1, A**2 * b1, sp.Matrix([0, 1, 0, 0]))
 # Are the columns sorted part by part? (hint 1)
 parallel = sp.Matrix.hstack(b1, b2, A * b1, sp.Matrix([0, 1, 0, 0]))
-# Was a column kept that depends on those before it? (hint 2)
+# Was a column kept that depends on the previous ones? (hint 2)
 parallel = sp.Matrix.hstack(b1, A * b1, b2, A * b2)
-parallel_system = [A, u1_first]  # Are these the equations as they were given? (hint 1)
-# Was the influence of the parts on each other left out? (hint 1)
+parallel_system = [A, u1_first]  # Are these the given equations? (hint 1)
+# Was the coupling between the parts left out? (hint 1)
 parallel_system = [
     sp.diag(parallel_system[0][:2, :2], parallel_system[0][2:, 2:]),
     parallel_system[1],
 ]
 # Are these the equations of the sequential decomposition? (hint 2)
 parallel_system = [sequential.inv() * A * sequential, sequential.inv() * u1_first]
-# Was $P$ put in the place of its inverse? (hint 1)
+# Was $P$ used in place of its inverse? (hint 1)
 parallel_system = [parallel * A * parallel.inv(), parallel * u1_first]
 
 # %% right

@@ -5,18 +5,18 @@ equations = [sp.diag(l1, l2), g * sp.eye(2), sp.Matrix([-1, -1])]
 equations = [sp.diag(l1, l2), -g * sp.eye(2), sp.Matrix([1, 1])]
 # Is the control a force on the cart, or its acceleration? (hint 1)
 equations = [sp.diag(l1, l2), -g * sp.eye(2), sp.Matrix([-m1, -m2])]
-# Does the cart push the two pendulums in opposite directions? (hint 1)
+# Does the cart accelerate the two pendulums in opposite directions? (hint 1)
 equations = [sp.diag(l1, l2), -g * sp.eye(2), sp.Matrix([-1, 1])]
-region = sp.true  # Is the whole controllable as soon as each part is? (hint 1)
+region = sp.true  # Is the whole system controllable whenever each part is? (hint 1)
 region = l1 > l2  # Does it matter which of the two is longer? (hint 1)
 region = sp.Eq(l1, l2)  # Is this the exceptional case instead of all others? (hint 1)
 equal_lost = []  # Is it enough that each pendulum alone can be controlled? (hint 1)
-equal_lost = [sp.sqrt(g / l)]  # Is only the growing mode lost? (hint 1)
+equal_lost = [sp.sqrt(g / l)]  # Is only the growing mode uncontrollable? (hint 1)
 # Do the pendulums hang down or stand? (hint 1)
 equal_lost = [sp.I * sp.sqrt(g / l), -sp.I * sp.sqrt(g / l)]
 equal_uncontrolled = [[1, -1, 0, 0]]  # Was the rate of the difference forgotten? (hint 1)
-equal_uncontrolled = [[1, 1, 0, 0], [0, 0, 1, 1]]  # Does the cart move this sum? (hint 1)
-equal_uncontrolled = []  # Is nothing lost when both pendulums are alike? (hint 1)
+equal_uncontrolled = [[1, 1, 0, 0], [0, 0, 1, 1]]  # Does the cart act on this sum? (hint 1)
+equal_uncontrolled = []  # Is everything controllable when both pendulums are equal? (hint 1)
 
 # %% right
 # multiplied by m l, as Lagrange's equations give them

@@ -1,8 +1,7 @@
 # %% wrong
-# Does the end of the upper link move along with the lower one? These are two separate pendulums.
-# (hint 1)
+# Does the upper link move with the end of the lower one? These are two separate pendulums. (hint 1)
 equations = [sp.diag(l1, l2), -g * sp.eye(2), sp.Matrix([-1, -1])]
-# From which direction is the second angle counted? (hint 1)
+# From which direction is the second angle measured? (hint 1)
 relative = sp.Matrix([[(m1 + m2) * l1 + m2 * l2, m2 * l2], [l1 + l2, l2]])
 equations = [relative, sp.diag(-(m1 + m2) * g, -g), sp.Matrix([-(m1 + m2), -1])]
 # Do the links hang down or stand? (hint 1)
@@ -25,11 +24,12 @@ equations = [
 ]
 # Are these the roots of two separate pendulums? (hint 1)
 roots = [sp.sqrt(g / l1), -sp.sqrt(g / l1), sp.sqrt(g / l2), -sp.sqrt(g / l2)]
-roots = [value**2 for value in roots]  # Are these the squares of what is asked for? (hint 1)
+roots = [value**2 for value in roots]  # Are these the squares of the roots? (hint 1)
 roots = [sp.I * value for value in roots]  # Do the links hang down or stand?
-# Is it the end of the matter if the control does not enter one of the solved equations? (hint 2)
+# Is the system uncontrollable because one of the solved equations does not contain the control?
+# (hint 2)
 controllable = False
-side_by_side = sp.true  # Are two separate pendulums as good as one double pendulum? (hint 1)
+side_by_side = sp.true  # Are two separate pendulums always controllable too? (hint 1)
 side_by_side = sp.Eq(l1, l2)  # Is this the exceptional case instead of all others? (hint 1)
 
 # %% right

@@ -70,6 +70,9 @@ ODD = (
     r"(knows?|know) nothing of|(lives?|living) by (itself|themselves)|goes its own way",
     r"(conditions?|laws?|criteri(on|a)|ranks?|determinant|matrix|filters?|observers?|equations?) "
     r"(asks?|tells?|wants?|knows?|demands?|believes?|forgets?)",
+    r"no say in|equally dear|deaf to|blind for|live[sd]? apart|at one blow|gives? to nobody",
+    r"eigenrows?|forms? of cauchy|gets? its sign turned|has this matrix an inverse",
+    r"a observab(le|ility) (canonical|form|decomposition)",
 )
 PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
@@ -108,6 +111,16 @@ def test_the_glossary_lists_the_standard_terms():
         ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
         ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
         ("the first moment of $x$; a moment of force; the condition is open", []),
+        ("The other terms had no\nsay in it; an eigenrow", ["no say in", "eigenrow"]),
+        (
+            "They are not equally dear.\nHas this matrix an inverse?",
+            ["equally dear", "Has this matrix an inverse"],
+        ),
+        (
+            "a observable canonical form by the form of Cauchy",
+            ["form of Cauchy", "a observable canonical"],
+        ),
+        ("the system lives in the plane; an observable canonical form", []),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
 )
