@@ -256,15 +256,23 @@ class RescaledFunctional(Rescaled):
 
 
 class RescaledQuadratic(Rescaled):
-    """The data of a check on a `Quadratic` problem in other units; all states have the same."""
+    """The data of a check on a `Quadratic` problem or a `Process` in other units.
+
+    All states have the same unit, and so have their measurements.
+    """
 
     def _of_record(self, arguments, units):
-        self.length = units.length
-        self.factors |= dict.fromkeys(
-            sp.Tuple(*arguments.get("start", ())).free_symbols, units.length
-        )
         if self.constant:
             raise NoRule("a quadratic cost has no constant term")
+        self.length = units.length
+        for name, factor in {
+            "start": self.length,
+            "estimates": self.length,
+            "outputs": self.length,
+            "cost": self.cost / self.length**2,
+        }.items():
+            symbols = sp.Tuple(*arguments.get(name, ())).free_symbols
+            self.factors |= dict.fromkeys(symbols, factor)
 
     def problem(self, problem):
         """Return the problem in the new units; the control keeps its own."""
@@ -281,11 +289,22 @@ class RescaledQuadratic(Rescaled):
             else self.value(problem.duration, self.time),
         )
 
+    def process(self, process):
+        """Return the process in the new units; intensities are covariances times a time."""
+        square = self.length**2
+        return dataclasses.replace(
+            process,
+            A=self.value(process.A, 1 / self.time),
+            Q=self.value(process.Q, square / self.time),
+            R=self.value(process.R, square * self.time),
+        )
+
 
 #: What becomes of an argument of a check, by its name.
 ARGUMENTS = {
     "problem": lambda new, problem: new.problem(problem),
     "field": lambda new, field: new.field(field),
+    "process": lambda new, process: new.process(process),
     "functional": lambda new, functional: new.functional(functional),
     "system": lambda new, system: new.system(system),
     "target": lambda new, target: new.target(target),

@@ -31,7 +31,7 @@ def rescaled(name, answer, data, options, units):
     bound.apply_defaults()
     arguments = dict(list(bound.arguments.items())[1:])
     record = Rescaled
-    if isinstance(arguments.get("problem"), Quadratic):
+    if isinstance(arguments.get("problem"), Quadratic) or "process" in arguments:
         record = RescaledQuadratic
     elif "field" in arguments:
         record = RescaledField
@@ -119,6 +119,7 @@ def _kelley(new, answer, arguments):
 
 UNCHANGED, TIME = _times(lambda new: 1), _times(lambda new: new.time)
 COST, CONTROL = _times(lambda new: new.cost), _times(lambda new: new.of_control)
+RATE = _times(lambda new: 1 / new.time)
 RATE_OF_COST = _times(lambda new: new.cost / new.time)
 COSTATES = _several(lambda new: [new.cost / f for f in new.of_state])
 
@@ -160,7 +161,7 @@ RULES = {
     "transferable_initial_states": UNCHANGED,
     "reachable_in_time": UNCHANGED,
     "meeting_time": TIME,
-    "least_rate": _times(lambda new: 1 / new.time),
+    "least_rate": RATE,
     # syntheses in the plane
     "time_optimal_law": CONTROL,
     "minimal_time": TIME,
@@ -181,10 +182,16 @@ RULES = {
     "stationary_duration": TIME,
     # quadratic costs
     "optimal_gain": _gain,
-    "optimal_eigenvalues": _times(lambda new: 1 / new.time),
+    "optimal_eigenvalues": RATE,
     "least_quadratic_cost": COST,
     "optimal_limit_state": _times(lambda new: new.length),
     "cost_matrix": _times(lambda new: new.cost / new.length**2),
+    "cost_riccati_equation": _times(lambda new: new.cost / new.length**2 / new.time),
+    # control by measurements
+    "steady_covariance": _times(lambda new: new.length**2),
+    "steady_gain": RATE,
+    "steady_cost": RATE_OF_COST,
+    "controller_equations": _times(lambda new: new.length / new.time),
     # phase planes
     "first_integral": UNCHANGED,
     "stationary_points": UNCHANGED,

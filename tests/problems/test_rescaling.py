@@ -33,7 +33,6 @@ SAMPLE = {
 }
 #: Checks of chapter 5 that no rule rescales, and why.
 NOT_RESCALED = {
-    "cost_riccati_equation": "its right-hand side is written with entries of S by the answer's names",
     "controllability_matrix": "no cost, no time: a question of chapter 2",
     "controllable_parameters": "no cost, no time: a question of chapter 2",
     "uncontrollable_combinations": "no cost, no time: a question of chapter 2",
@@ -41,10 +40,6 @@ NOT_RESCALED = {
     "output_gramian": "no cost: a question of chapter 2",
     "linearisation_matrices": "a question of chapter 1 on a phase plane",
     "stationary_value": "its expression is a quotient of rates, with units of its own",
-    "controller_equations": "units of the measurement and of its noise, chapter 4",
-    "steady_cost": "units of the measurement and of its noise, chapter 4",
-    "steady_covariance": "units of the measurement and of its noise, chapter 4",
-    "steady_gain": "units of the measurement and of its noise, chapter 4",
     "polar_angle_rate": "the direction of a state has no meaning for states in different units",
 }
 

@@ -16,7 +16,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
 from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references import processes
+from workbook.checks.references import processes, regulators
 from workbook.checks.tools.comparisons import SameEntries, SameMembers
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
@@ -227,8 +227,9 @@ def riccati_equation(claim, process, covariance, parameters=()):
     discrete time the covariance before the next measurement, if P is that before this one.
     """
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
+    units = regulators.covariance_units(processes.as_process(process))
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
-        values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
+        values = _definite(covariance, values, units / 9 if k % 2 else units)
         model, P = (
             processes.at_values(process, values, start=False),
             processes.to_array(covariance, values),
@@ -305,16 +306,16 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     return "these are the modes by which errors of the steady filter decay"
 
 
-def _definite(covariance, values, size):
+def _definite(covariance, values, sizes):
     """Return values with the diagonal of the covariance enlarged until it is positive definite.
 
-    All its entries are then multiplied by `size`.
+    Its entries are then multiplied by `sizes`.
     """
     matrix = covariance.subs(values)
     definite = matrix + sp.diag(
         *[sum(map(abs, matrix[k, :])) - matrix[k, k] for k in range(matrix.rows)]
     )
-    return values | dict(zip(covariance, size * definite))
+    return values | dict(zip(covariance, definite.multiply_elementwise(sizes)))
 
 
 def _numeric_cases(process, measured, at, claim, parameters, given):

@@ -231,7 +231,12 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     It is a matrix in the symbols of S, which are the `cost`.
     """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
-    for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
+    units = regulators.cost_units(problem)
+    samples = [
+        values | dict(zip(cost, cost.subs(values).multiply_elementwise(units)))
+        for values in allowed_values(symbols, sp.true, COUNT)
+    ]
+    for values in in_every_case(samples, claim):
         regulator, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = regulator.rates(S)
         yield SameEntries(

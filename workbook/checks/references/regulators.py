@@ -7,10 +7,13 @@ Hamiltonian matrix; if states that the cost does not depend on are left out, it 
 No Riccati equation is integrated.
 """
 
+from types import SimpleNamespace
+
 import numpy as np
 import sympy as sp
 
 from workbook.checks.references import processes
+from workbook.checks.references.natural_units import COST, natural_units
 from workbook.checks.references.pairs import pair_of
 from workbook.systems import Process, Quadratic
 
@@ -92,6 +95,36 @@ class Regulator:
 def dual(problem):
     """Return the process whose steady filter is the regulator, transposed."""
     return Process(problem.A.T, Q=problem.G, H=problem.B.T, R=problem.N)
+
+
+def cost_units(problem):
+    """Return the natural units of the entries of a matrix S of the cost, a matrix.
+
+    For numbers of S in these units all terms of the Riccati equation are of one size.
+    """
+    state, control = ([sp.Dummy() for _ in range(n)] for n in problem.B.shape)
+    x, u = sp.Matrix(state), sp.Matrix(control)
+    record = SimpleNamespace(
+        state=state,
+        control=control,
+        dynamics=dict(zip(state, problem.A * x + problem.B * u)),
+        controls={},
+        initial={},
+        terminal=[],
+        running=x.dot(problem.G * x) + u.dot(problem.N * u),
+        final=x.dot(problem.F * x),
+        duration=sp.sympify(problem.duration),
+    )
+    units = natural_units(record)
+    return sp.Matrix([[units[COST] / units[a] / units[b] for b in state] for a in state])
+
+
+def covariance_units(process):
+    """Return the natural units of the entries of the covariance of errors, a matrix.
+
+    They are the `cost_units` of the regulator to which the filter is dual.
+    """
+    return cost_units(Quadratic(process.A.T, process.H.T, G=process.Q, N=process.R))
 
 
 def exists(problem):

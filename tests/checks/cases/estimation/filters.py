@@ -34,6 +34,8 @@ PAIR = [(1, y1), (2, y2)]
 BETWEEN = (y1 * sp.sinh(2 - t) + y2 * sp.sinh(t - 1)) / sp.sinh(1)
 ANY = Process(A=a, Q=Q0, H=h, R=R)
 SEEN = sp.And(sp.Or(sp.Ne(h, 0), a < 0), sp.Or(sp.Ne(Q0, 0), sp.Ne(a, 0)))
+# A drift whose covariance has the size 1e-9 and changes within a time of size one.
+DRIFT = Process(A=-1, Q=sp.Rational(1, 10**9), H=1, R=sp.Rational(1, 10**9))
 RATES = sp.Matrix(
     [[2 * p12 - p11**2 / R, p22 - p11 * p12 / R], [p22 - p11 * p12 / R, Q - p12**2 / R]]
 )
@@ -405,6 +407,14 @@ CASES = [
         "the sign of the measurement",
     ),
     Case("riccati_equation", RATES + P, (CART, P, [Q, R]), "wrong", "one more linear term"),
+    *(
+        Case("riccati_equation", rate, (DRIFT, sp.Matrix([[p11]])), verdict, f"small units, {term}")
+        for rate, verdict, term in [
+            (-2 * p11 + DRIFT.Q[0] - p11**2 / DRIFT.R[0], "right", "all terms"),
+            (-2 * p11 - p11**2 / DRIFT.R[0], "wrong", "the noise forgotten"),
+            (-p11 + DRIFT.Q[0] - p11**2 / DRIFT.R[0], "wrong", "half of a linear term"),
+        ]
+    ),
     Case("riccati_equation", [1, 2, 3], (CART, P, [Q, R]), "invalid", "three entries"),
     Case(
         "riccati_equation",

@@ -33,6 +33,10 @@ RECORD = (
 q = sp.sqrt(rho * M)
 COST = sp.Matrix([[s11, s12], [s12, s22]])
 RATE = sp.Matrix([[s12**2, s12 * s22 - s11], [s12 * s22 - s11, s22**2 - 2 * s12]])
+# The cart with a cost in small units: its matrix S is that of CART times TINY.
+TINY = sp.Rational(1, 10**9)
+PENNIES = Quadratic(A=CART.A, B=CART.B, G=CART.G, N=TINY, F=TINY * CART.F, duration=1, factor=HALF)
+PENNIES_RATE = TINY * RATE.subs({s: s / TINY for s in (s11, s12, s22)}, simultaneous=True)
 LEFT = 1 - t
 BELOW = LEFT**4 + 4 * LEFT**3 + 12 * LEFT + 12
 BACK = sp.Matrix([[-6 * LEFT * (LEFT + 2), -4 * (LEFT**3 + 3 * LEFT**2 + 3)]]) / BELOW
@@ -217,6 +221,21 @@ CASES = [
     Case("cost_riccati_equation", -RATE, (CART, COST), "wrong", "time turned round"),
     Case("cost_riccati_equation", RATE / 2, (CART, COST), "wrong", "the factor put in"),
     Case("cost_riccati_equation", [1, 2], (CART, COST), "invalid", "a list"),
+    Case("cost_riccati_equation", PENNIES_RATE, (PENNIES, COST), "right", "small units"),
+    Case(
+        "cost_riccati_equation",
+        PENNIES_RATE + sp.diag(0, 2 * s12),
+        (PENNIES, COST),
+        "wrong",
+        "a linear term left out, in small units",
+    ),
+    Case(
+        "cost_riccati_equation",
+        PENNIES_RATE - TINY * sp.eye(2),
+        (PENNIES, COST),
+        "wrong",
+        "a constant term, in small units",
+    ),
     Case("steady_cost", 6, (SPRING, SWUNG), "right", "by measurements"),
     Case("steady_cost", 4, (SPRING, SEEN), "right", "the state known"),
     Case("steady_cost", 4, (SPRING, SWUNG), "wrong", "as if the state were known"),
