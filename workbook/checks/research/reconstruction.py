@@ -23,6 +23,9 @@ RECORDS = 6
 #: Of the values of all symbols, the same in every check.
 SEED = 64
 PIECES = 16
+#: By how much the logarithm of a weight M may differ from that of rho tau^3; beyond this range the
+#: least squares are singular in floats, and the acceleration is far from any bound.
+WEIGHT_RANGE = 30
 
 
 @judged(Expression("lam", "kappa"))
@@ -135,6 +138,12 @@ def weight_for_bound(claim, times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+        wrong = Wrong(
+            f"for {rounded_text(values)} the greatest acceleration of the motion of least cost "
+            f"with your M = {weight:.4g} is not D"
+        )
+        if abs(math.log(weight / (values[rho] * t[1] ** 3))) > WEIGHT_RANGE:
+            raise wrong
         ((uncertainty,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
         greatest, *accelerations = (
             abs(_middle(t, *_least_cost(t, h, values[rho], max(perturbed_weight, weight / 2))))
@@ -143,10 +152,7 @@ def weight_for_bound(claim, times, samples, rho, D):
         if not abs(greatest - values[D]) <= 1e-8 * values[D] + max(
             abs(acceleration - greatest) for acceleration in accelerations
         ):
-            raise Wrong(
-                f"for {rounded_text(values)} the greatest acceleration of the motion of least cost "
-                f"with your M = {weight:.4g} is not D"
-            )
+            raise wrong
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
 
@@ -157,7 +163,8 @@ def spline_misfit(claim, times, samples, rho, D):
     The misfit is rho sum (x_k - h_k)^2.
     """
     for values, t, h in _bounded(times, samples, rho, D):
-        low, high = math.log(values[rho] * t[1] ** 3) - 30, math.log(values[rho] * t[1] ** 3) + 30
+        middle = math.log(values[rho] * t[1] ** 3)
+        low, high = middle - WEIGHT_RANGE, middle + WEIGHT_RANGE
         for _ in range(80):
             middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))

@@ -266,6 +266,8 @@ CASES = [
         "wrong",
         "one per cent off",
     ),
+    Case("research.weight_for_bound", sp.exp(40 * rho), BOUNDED, "wrong", "very large"),
+    Case("research.weight_for_bound", sp.exp(-400 * rho), BOUNDED, "wrong", "very small"),
     Case(
         "research.weight_for_bound",
         rho * tau * (2 * D * tau**2 - 3 * Delta) / (18 * D),
