@@ -70,6 +70,14 @@ def test_jumps_of_the_costate(limit, jumps):
     assert np.allclose(extremal.path_multiplier(np.linspace(0, 1, 11)), 0)
 
 
+def test_extremals_on_a_boundary_are_not_called_minimal():
+    """Without a theorem nothing is claimed beyond the necessary conditions, and all say so."""
+    extremal = GODDARD.problem.solve()
+    for text in (str(extremal.optimality), extremal.certificate()._repr_markdown_()):
+        assert "not tested along the boundary" in text and "locally minimal" not in text
+    assert extremal.optimality.kind == "extremal" and "extremal, best of" in repr(extremal)
+
+
 def test_multiplier_along_a_boundary_arc():
     """x = 1/2 held: psi = u = 0, and psi' = x + eta (-1) gives eta = 1/2."""
     extremal = CONSTRAINED["boundary to the end"].problem.solve()
@@ -195,7 +203,10 @@ def test_certificate_between_grid_points():
             {"path": [v <= 1], "terminal": [x], "first_return": True},
         ),
         (ValueError, "path: .* is not smooth", {"path": [sp.Max(x, v) <= 1]}),
-        (ValueError, "path: the same inequality", {"path": [x <= 1, x <= 1]}),
+        (ValueError, "neither a constraint .* nor a bound", {"path": [sp.exp(u) + x <= 3]}),
+        (ValueError, "neither a constraint .* nor a bound", {"path": [u * x <= 2]}),
+        (ValueError, "path: .* are the same inequality", {"path": [x <= 1, x <= 1]}),
+        (ValueError, "path: .* are the same inequality", {"path": [x <= 1, 2 * x <= 2]}),
         (ValueError, "terminal: .* contains a control", {"terminal": [x - 1, u <= 1]}),
     ],
 )
@@ -227,6 +238,18 @@ def test_statements_that_are_refused(error, text, arguments):
                 running=x + u**2 / 2,
                 duration=10,
                 path=[x >= 0],
+            ),
+        ),
+        (
+            NotUnique,
+            "followed at once, .* their multipliers are not unique",
+            Problem(
+                {x: u},
+                {u: None},
+                {x: 0},
+                running=(x - 2) ** 2 + u**2,
+                duration=4,
+                path=[x <= 1, x**3 <= 1],
             ),
         ),
         (

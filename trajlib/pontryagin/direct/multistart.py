@@ -162,9 +162,11 @@ class _Multistart:
                 solutions.append(solution)
                 continue
             # On few intervals a process may be far from the one on many: then it takes patience.
-            # Where IPOPT does not converge there, the solution on few is used.
+            # Where IPOPT does not converge there, its last iterate or the solution on few is used.
             start = (solution.duration, solution.states, solution.controls)
             finer = self.solve(fine_programme, start) or self.solve(patient_programme(), start)
+            if not finer and self.failures[-1].last is not None:
+                finer = [self.failures[-1].last]
             self.coarse_durations += [solution.duration] * len(finer)
             solutions += finer or [solution]
         return [(solution, side) for solution in _distinct(solutions)]

@@ -6,7 +6,7 @@ multipliers of these continuity equations are the costates. IPOPT relaxes bounds
 option forbids it, and its return status decides.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 # Intervals of a discrete solution.
 INTERVALS = 80
+# Largest violation of its equations by a last iterate that is a guess for Newton's method.
+NEARLY = 1e-3
 # Iterations of IPOPT where many starts are tried, at most.
 PATIENCE = 100
 
@@ -58,12 +60,16 @@ class DirectSolution:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failure of IPOPT: its status, with cost, duration and size of the last iterate."""
+    """A failure of IPOPT: its status, with cost, duration and size of the last iterate.
+
+    `last`: this iterate, where it nearly satisfies the equations when the iterations end.
+    """
 
     status: str
     cost: float
     duration: float
     largest_state: float
+    last: DirectSolution | None = None
 
 
 class Transcription:
@@ -217,10 +223,15 @@ class Transcription:
         z, dual = (result[name].full().ravel() for name in ("x", "lam_g"))
         states, lengths = z[: n * (N + 1)].reshape(N + 1, n), z[n * (N + 1) + k * N :]
         status = self.solver.stats()["return_status"]
-        if status not in ("Solve_Succeeded", "Solved_To_Acceptable_Level"):
-            return Failure(
-                status, float(result["f"]), float(lengths.sum()), float(np.max(np.abs(states)))
-            )
+        solved = status in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+        values = result["g"].full().ravel()
+        violation = np.maximum(limits["lbg"] - values, values - limits["ubg"])
+        nearly = status == "Maximum_Iterations_Exceeded" and np.max(violation) < NEARLY
+        failure = Failure(
+            status, float(result["f"]), float(lengths.sum()), float(np.max(np.abs(states)))
+        )
+        if not solved and not nearly:
+            return failure
         constraint_count = len(self.numeric.path_orders)
         costates = np.empty((N + 1, n))
         # The multiplier of F(x_k) - x_{k+1} = 0 is the derivative of the cost with respect to
@@ -239,7 +250,7 @@ class Transcription:
         path_multipliers = np.zeros((N + 1) * constraint_count)
         if constraint_count:
             path_multipliers[self.path_rows] = dual[self.path_offset :][: len(self.path_rows)]
-        return DirectSolution(
+        solution = DirectSolution(
             times,
             states,
             costates,
@@ -249,6 +260,7 @@ class Transcription:
             path_multipliers.reshape(N + 1, constraint_count),
             dual[self.end_offset :],
         )
+        return solution if solved else replace(failure, last=solution)
 
 
 def path_rows(numeric: NumericProblem, intervals: int) -> np.ndarray:

@@ -134,8 +134,8 @@ def with_boundary_labels(numeric, solution, columns, chosen):
                 f"{g} is a state constraint of order {order}: a boundary arc has "
                 f"{2 * order} conditions where it begins, more than two times and two jumps of the "
                 "costate can satisfy except by chance, and contacts with the boundary accumulate before "
-                "it. No list of arcs was found for this extremal; give the control a cost, or constrain "
-                "a derivative."
+                "it. No list of arcs was found for this extremal. Bound a derivative of this quantity "
+                "instead, or put a penalty for it into the cost."
             )
         inside = slice(first, last)
         acting = _acting_controls(numeric, contact.constraint)
@@ -144,6 +144,7 @@ def with_boundary_labels(numeric, solution, columns, chosen):
             # The steps are too long for this contact: the certificate of its arcs decides.
             continue
         if not free:
+            _refuse_common_arc(numeric, contact, [columns[i][inside] for i in acting])
             raise NotUnique(
                 f"on the boundary of {numeric.problem.path[contact.constraint]} the controls that "
                 "act on it are at their bounds, so that its multiplier is not unique. Leave out the "
@@ -151,6 +152,18 @@ def with_boundary_labels(numeric, solution, columns, chosen):
             )
         columns[free[0]][inside] = [boundary_kind(contact.constraint)] * (last - first)
     return [np.array(column, dtype=object) for column in columns]
+
+
+def _refuse_common_arc(numeric, contact, parts):
+    """Raise `NotUnique` if the controls of a boundary arc already follow another boundary."""
+    path = numeric.problem.path
+    for other, relation in enumerate(path):
+        if other != contact.constraint and any(boundary_kind(other) in part for part in parts):
+            raise NotUnique(
+                f"the boundaries of {path[contact.constraint]} and {relation} are followed at once, with "
+                "no control for each of them, so that their multipliers are not unique. Leave out the "
+                "constraint that the other implies there."
+            )
 
 
 def _holds_boundary(numeric, solution, contact, inside):

@@ -236,7 +236,8 @@ class Extremal:
             return optimality("proved", proof[0])
         if self.touches_boundary:
             return optimality(
-                "extremal", "the second variation is not computed on the boundary of a constraint"
+                "extremal",
+                "whether it is a local minimum is not tested along the boundary of a path constraint",
             )
         if not self.normal:
             return optimality("extremal", "abnormal: the second variation of the cost says nothing")

@@ -2,12 +2,16 @@
 
 import numpy as np
 
+from trajlib.pontryagin.indirect.valley import follow_valley
+
 # Size of cancelling terms up to which residuals are relative to them: the growth allowed on a
 # segment.
 CANCELLING = 1e3
 # Share of the largest singular value of the Jacobian below which directions are left out where
 # steps get short.
 RANK = 1e-8
+# Residual, relative to the values, beyond which a curved valley is followed.
+SOLVED = 1e-9
 # Newton's method stops where the residual has not fallen to this share of itself within so many
 # steps.
 STAGNATION, PATIENCE = 0.9, 10
@@ -24,6 +28,23 @@ def newton(equations, z, iterations=80):
     that cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative
     to the duration.
     """
+    z, r, J = _damped(equations, z, iterations)
+    if np.isfinite(J).all() and np.linalg.norm(r) > SOLVED * (1 + np.linalg.norm(z)):
+        solution = follow_valley(equations, z)
+        if solution is not None:
+            z, r, J = _damped(equations, solution, iterations)
+    if not np.isfinite(J).all():
+        return z, np.inf, np.inf
+    step = _least_squares(J, r, 1e-13)[equations.lengths]
+    return (
+        z,
+        float(np.max(np.abs(r) / np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
+        float(np.max(np.abs(step)) / np.sum(z[equations.lengths])),
+    )
+
+
+def _damped(equations, z, iterations):
+    """Return (z, r, J) after damped steps, as long as the residual falls."""
     r, J = equations.residual(z)
     sizes = []
     for _ in range(iterations):
@@ -51,14 +72,7 @@ def newton(equations, z, iterations=80):
         if better is None:
             break
         z, r, J = better
-    if not np.isfinite(J).all():
-        return z, np.inf, np.inf
-    step = _least_squares(J, r, 1e-13)[equations.lengths]
-    return (
-        z,
-        float(np.max(np.abs(r) / np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
-        float(np.max(np.abs(step)) / np.sum(z[equations.lengths])),
-    )
+    return z, r, J
 
 
 def _shortened(equations, z, r, step, shortest):

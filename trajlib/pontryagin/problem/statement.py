@@ -13,6 +13,7 @@ the methods that call them.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import combinations
 from typing import Any, Self
 
 import sympy as sp
@@ -272,10 +273,11 @@ class Statement:
                 raise ValueError(
                     f"path: {relation} is not smooth; write one inequality for each smooth part"
                 )
-        if len(set(self.constraints)) < len(self.path):
-            raise ValueError(
-                "path: the same inequality stands twice, so its multiplier is not unique"
-            )
+        for (first, a), (second, b) in combinations(zip(self.path, self.constraints), 2):
+            if sp.cancel(a / b).is_positive:
+                raise ValueError(
+                    f"path: {first} and {second} are the same inequality, so its multiplier is not unique"
+                )
 
     def _check_ends(self):
         if len(self.terminal) > len(self.state):

@@ -32,6 +32,10 @@ SAMPLES = 65
 class Certificate:
     """Residuals of the conditions of the maximum principle, all zero for an exact extremal.
 
+    The conditions are necessary. With path constraints they include the signs of the multipliers,
+    complementarity and the jumps of the costate, but no condition of second order: that the extremal
+    is a local minimum is not tested where it touches a boundary (see `optimality`).
+
     Attributes
     ----------
     dynamics, adjoint : float

@@ -37,7 +37,8 @@ class Optimality:
     ----------
     kind : str
         "proved" (no process is better, by a theorem), "locally minimal" (the second variation is
-        positive) or "extremal" (the necessary conditions alone).
+        positive) or "extremal" (the necessary conditions alone, as where the trajectory touches the
+        boundary of a path constraint and no theorem applies).
     reason : str
         The theorem, or the sign of the second variation.
     starts : int

@@ -25,6 +25,8 @@ from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 INTERVALS = 80
 # Eigenvalues below this share of the largest one count as zero.
 ROUNDING = 1e-7
+# Errors of extrapolated eigenvalues are below this share of the largest one.
+EXTRAPOLATED = 1e-5
 # Costates beyond this are those of an abnormal extremal, on which the cost has no influence.
 ABNORMAL = 1e7
 
@@ -133,7 +135,8 @@ def extremal_second_variation(
 
     Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a
     family of equally good processes, an inflection) shows as a small number of either sign: the
-    value is extrapolated from N and 2N, and a least eigenvalue that tends to zero is set to zero.
+    value is extrapolated from N and 2N, where it is small from 2N and 4N as well; a least eigenvalue
+    that is not clear of the difference of both is set to zero.
     On a singular arc the eigenvalues themselves fall like 1/N^2, and their sign decides.
     """
     variation = second_variation(numeric, process_of_extremal(numeric, extremal, duration))
@@ -142,11 +145,17 @@ def extremal_second_variation(
     )
     if singular or not abs(variation.least) < 1e-2 * variation.largest:
         return variation
-    finer = second_variation(
-        numeric, process_of_extremal(numeric, extremal, duration, 2 * INTERVALS)
-    )
-    limit = (4 * finer.least - variation.least) / 3
-    return variation if abs(limit) > 1e-5 * variation.largest else replace(variation, least=0.0)
+
+    def least(factor):
+        process = process_of_extremal(numeric, extremal, duration, factor * INTERVALS)
+        return second_variation(numeric, process).least
+
+    twice = least(2)
+    limit, size = (4 * twice - variation.least) / 3, variation.largest
+    if abs(limit) <= EXTRAPOLATED * size:
+        before, limit = limit, (4 * least(4) - twice) / 3 if abs(limit) > ROUNDING * size else 0.0
+        limit = limit if abs(limit) > 2 * abs(limit - before) else 0.0
+    return replace(variation, least=limit)
 
 
 def _varied(numeric, process):
