@@ -103,9 +103,10 @@ def test_a_drawing_is_printed_without_its_code(browser, addresses):
     assert drawn and set(drawn) == {0} and min(pictures) > 50 and min(computed) > 20
 
 
-def test_no_line_of_code_is_broken_in_print(browser, addresses):
-    """The window is as wide as a sheet of paper between its margins."""
-    browser.resize(718, 1000)
+@pytest.mark.parametrize("width", [718, 800], ids=["browser", "pdf"])
+def test_no_line_of_code_is_broken_in_print(browser, addresses, width):
+    """The window is as wide as a sheet of paper between its margins, in the scale of `book/pdf.py`."""
+    browser.resize(width, 1000)
     browser.open(f"{addresses['http']}/solutions/ch4/p18.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")

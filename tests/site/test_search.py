@@ -150,6 +150,9 @@ FIRST = {
     "how to install": "book/guides/student.html#install-the-workbook",
     "switching curve": "book/ch5/synthesis.html#def-dispersal",
     "place": "book/library/feedback.html#library-feedback-place",
+    "Routh": "book/ch1/hurwitz.html#sec-1-hurwitz",
+    "Luenberger observer": "book/ch3/observers.html#sec-3-observer",
+    "устойчивость по Ляпунову": "book/ch1/linear_stability.html#sec-1-stability",
     "hurwitz_minors": "book/library/stability.html#library-stability-hurwitz_minors",
 }
 #: Query: a page with the section that states it.
@@ -166,15 +169,12 @@ STATED = {
     "the Kalman filter": "book/ch4/(continuous|discrete)_filter.html",
     "Kalman-Bucy": "book/ch4/continuous_filter.html",
     "Rikkati": "book/(ch4/continuous_filter|ch5/stabilisation).html",
-    "Routh": "book/ch1/hurwitz.html",
     "bang-bang": "book/ch5/maximum_principle.html",
     "minimum time": "book/ch5/maximum_principle.html",
     "transversality": "book/ch5/maximum_principle.html",
     "observer": "book/ch3/observers.html",
-    "Luenberger observer": "book/ch3/observers.html",
     "separation principle": "book/ch3/output_feedback.html",
     "Euler-Lagrange": "book/ch5/least_energy.html",
-    "устойчивость по Ляпунову": "book/ch1/linear_stability.html",
 }
 #: Query: a problem that is among the first hits, by its topic.
 TOPICS = {
