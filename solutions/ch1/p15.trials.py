@@ -1,5 +1,5 @@
 # %% wrong
-# Are positive coefficients enough for a cubic? Which minor was not considered? (hint 1)
+# Are positive coefficients enough for a cubic? Which minor was not looked at? (hint 1)
 a_region = sp.And(k1 > 0, k2 > 0)
 # Is this the sign of one minor alone? Try a point where both parameters are negative. (hint 2)
 a_region = k1 * k2 > p_a

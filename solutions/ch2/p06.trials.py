@@ -12,8 +12,7 @@ b_unseen = [[0, 0, 1, 0]]  # Do the equations allow a steady rate at height zero
 b_lost = {sp.I * Omega, -sp.I * Omega}  # Is the oscillation unobservable from the height? (hint 1)
 # Does integrating a rate give the quantity itself, or only up to a constant? (hint 1)
 c_observable = True
-# Are these only the states with $z = 0$ at the initial time? What do its derivatives show?
-# (hint 1)
+# Is only the initial output of these states zero? What do its derivatives show? (hint 1)
 c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
 c_lost = set()  # Was the row of the measurement written with its factor $\lambda$? (hint 1)
 # Does the velocity determine the height, and the height everything else? Look at the constants.

@@ -255,5 +255,5 @@ def test_a_named_mistake_is_found_in_its_own_row(folder):
     list(prove(ROOT, "2.4", [1, 2]))
     h = sp.Symbol("h", real=True)
     mistake = sp.Or(sp.Eq(h, -1), sp.Eq(h, -3))  # the roots of row 1 themselves
-    assert "Put one of them into z" in find_mistake("2.4~1", "b_unobservable", mistake)
+    assert "Substitute one of them into z" in find_mistake("2.4~1", "b_unobservable", mistake)
     assert find_mistake("2.4~2", "b_unobservable", mistake) == ""

@@ -168,7 +168,7 @@ def test_a_lecture_runs_with_shift_enter(lecture, browser):
         time.sleep(1)
         lab.run_next()  # the data
         assert lab.chosen() == "%answer a_region"
-        assert "The cubic, once for all items" in lab.run_next()
+        assert "The cubic, for all items" in lab.run_next()
         for _ in range(3):  # what it puts below is the next cell
             assert lab.chosen() == "%answer a_region"
             shown = lab.run_next()

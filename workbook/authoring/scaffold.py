@@ -25,7 +25,7 @@ problem:
   answers:
     a_region: "condition: PLACEHOLDER the real $k$ for which the zero solution is asymptotically stable"
   hints:
-    a_region: ["PLACEHOLDER Which sign have the coefficients?"]
+    a_region: ["PLACEHOLDER What signs do the coefficients have?"]
 ---
 # Problem NUMBER
 
