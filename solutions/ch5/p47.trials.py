@@ -1,10 +1,10 @@
 # %% wrong
 pontryagin = psi1 * u + psi2 * x1**2  # Is this the function of the problem before? (hint 1)
-# Is the cost an integral here, or does it stand at the end? (hint 1)
+# Is the cost an integral here, or a terminal cost? (hint 1)
 pontryagin = psi1 * u - psi2 * x1**2 - x2
 adjoint = [-2 * psi2 * x1, 0]  # Which sign stands before the derivative of $H$? (hint 1)
 adjoint = [2 * psi2 * x1, -1]  # Does $H$ depend on the second state? (hint 1)
-# Which state stands in the derivative of the switching function? (hint 1)
+# Which state does the derivative of the switching function contain? (hint 1)
 surface = sp.Eq(x2, 0)
 surface = sp.Eq(x1, 1)  # Is this where the best motion ends? (hint 1)
 control = 1  # How long does this control keep the switching function at zero? (hint 1)

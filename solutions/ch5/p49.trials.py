@@ -1,5 +1,5 @@
 # %% wrong
-# Is the cost an integral here, or does it stand at the end? (hint 1)
+# Is the cost an integral here, or a terminal cost? (hint 1)
 pontryagin = psi1 * (1 - y**2) + psi2 * u - x
 pontryagin = psi1 * (1 - y**2)  # Was the second equation forgotten? (hint 1)
 adjoint = [0, -2 * psi1 * y]  # Which sign stands before the derivative of $H$? (hint 1)
