@@ -70,6 +70,8 @@ ODD = (
     r"(knows?|know) nothing of|(lives?|living) by (itself|themselves)|goes its own way",
     r"(conditions?|laws?|criteri(on|a)|ranks?|determinant|matrix|filters?|observers?|equations?) "
     r"(asks?|tells?|wants?|knows?|demands?|believes?|forgets?)",
+    r"surfaces? of singular control|settled (filter|state)s?|too dear|dearer by|a unit of way",
+    r"costs? stands? (at|in|only)|stands? in \$H|with a dash for|way of the (ship|point|body)",
 )
 PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
@@ -107,6 +109,11 @@ def test_the_glossary_lists_the_standard_terms():
         ("the system falls apart; whoever knows $x$", ["system falls apart", "whoever knows"]),
         ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
         ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
+        ("The cost stands at the end.\nIt is too dear.", ["too dear", "cost stands at"]),
+        (
+            "What stands in $H$ on the surface of\nsingular control?",
+            ["surface of singular control", "stands in $H"],
+        ),
         ("the first moment of $x$; a moment of force; the condition is open", []),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
