@@ -11,7 +11,7 @@ a_adjoint = [-v * sp.sin(theta) / 2, v * sp.cos(theta) / 2]
 a_maximum = sp.atan2(psi_y, psi_x)  # Does the heading enter the cost, too? (hint 1)
 # Which of two opposite headings does this give? (hint 2)
 a_maximum = sp.atan((psi_y + x / 2) / (psi_x - y / 2))
-a_maximum = sp.atan2(psi_y - x / 2, psi_x + y / 2)  # Which sign has the area in $H$? (hint 1)
+a_maximum = sp.atan2(psi_y - x / 2, psi_x + y / 2)  # Which sign does the area have in $H$? (hint 1)
 b_pace = T / (2 * sp.pi)  # Where does a flight that turns uniformly end in this wind? (hint 3)
 # Is the pace proportional to the distance from the fixed point, or to its square? (hint 3)
 b_pace = T * sp.sqrt(v**2 - V**2) / (2 * sp.pi * (v - V * sp.cos(theta)))

@@ -55,7 +55,7 @@ b_collision = sp.sqrt(b**2 - 1) * sp.Matrix([[0, 1], [0, 1 / c]])
 b_collision = sp.Matrix([[(1 - c) / c, 1], [0, 1 / c]])
 b_collision_type = "saddle"  # Which signs do the two diagonal elements have? (hint 1)
 b_collision_type = "unstable node"  # Which sign does $c$ have? (hint 1)
-b_straight = (3 - r_T) / (b + 1)  # Does the target fly at the pursuer? (hint 1)
+b_straight = (3 - r_T) / (b + 1)  # Does the target fly towards the pursuer? (hint 1)
 b_straight = (3 - r_T) / sp.sqrt(b**2 - 1)  # Is this the time on a collision course? (hint 1)
 b_straight = 3 - r_T  # For which speed of the pursuer is this right? (hint 1)
 # Is this the time from a pursuer that flies straight at the target? (hint 1)
@@ -71,4 +71,4 @@ a_rate = (
     - (sp.sin(alpha) - b * sp.sin(beta)) / r
 )
 b_time = sp.Float("2.779")  # four digits
-b_straight = (r_T - 3) / (1 - b)  # both signs turned round
+b_straight = (r_T - 3) / (1 - b)  # both signs reversed

@@ -55,5 +55,5 @@ a_rate = (
     - (sp.sin(alpha) - b * sp.sin(beta)) / r
 )
 b_rest = [(3.1416, 0), (0, 3.1416), (0, 0), (3.1416, 3.1416)]  # in decimals
-b_straight = (1 - r_T) / (b - 1)  # both signs turned round
+b_straight = (1 - r_T) / (b - 1)  # both signs reversed
 b_time = sp.Float("0.9679")  # four digits

@@ -17,7 +17,8 @@ a_transversality = [psi1, psi2]  # Is the distance free at the end? (hint 1)
 a_transversality = [psi1]
 # Was the distance in the coefficient of the square of the control forgotten? (hint 1)
 a_control = psi2 / 2
-a_control = -psi2 / (2 * rho**2)  # Is $H$ greatest there? Which sign has the linear term? (hint 1)
+# Is $H$ greatest there? Which sign does the linear term have? (hint 1)
+a_control = -psi2 / (2 * rho**2)
 # Is the distance in the control constant while the costate changes? (hint 1)
 a_rate = 2 * omega * (omega**2 - k**2) + 2 * k * u
 # Which sign does the derivative of the square of a difference have? (hint 2)
@@ -27,9 +28,9 @@ a_rate = omega * (omega**2 - k**2)  # Is a factor from the inner derivative miss
 b_duffing = 2 * k**2 * omega + 2 * k * v - 2 * omega**3
 # Does the result of the differentiation still contain the control? (hint 2)
 b_duffing = -2 * k * v + 2 * omega**3 - 2 * k**2 * omega - 2 * k * omega
-b_duffing = -2 * k**2 * omega - 2 * k * v - 2 * omega**3  # Which sign has the cube? (hint 1)
+b_duffing = -2 * k**2 * omega - 2 * k * v - 2 * omega**3  # Which sign does the cube have? (hint 1)
 b_rest = [(0, 0)]  # When does the other factor vanish? (hint 1)
-b_rest = [(0, 0), (k, 0), (-k, 0)]  # Is $\omega$ at rest there as well? (hint 2)
+b_rest = [(0, 0), (k, 0), (-k, 0)]  # Is $\omega$ constant there as well? (hint 2)
 # Which sign does the control that keeps $\omega$ constant have? (hint 2)
 b_rest = [(0, 0), (k, -2 * k**2), (-k, 2 * k**2)]
 # Is there no other matrix among the stationary solutions? (hint 2)
