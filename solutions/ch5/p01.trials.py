@@ -2,7 +2,7 @@
 time = (b - a) / A  # Can b lie on the other side of a as well? (hint 1)
 time = sp.Abs(b - a)  # Was the bound of the speed forgotten? (hint 1)
 time = A * sp.Abs(b - a)  # Is the distance multiplied by the speed here? (hint 1)
-control = A  # Does the way always lead to the right? (hint 2)
+control = A  # Does the motion always go to the right? (hint 2)
 control = sp.sign(b - a)  # Is the bound of the control 1? (hint 1)
 control = b - a  # Does this velocity need just the time 1, whatever the bound? (hint 1)
 control = A * sp.sign(a - b)  # Does this lead away from b? (hint 2)

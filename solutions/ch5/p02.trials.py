@@ -6,14 +6,14 @@ least_rate = sp.Abs(x) + 1  # Is this the greatest rate instead of the least one
 least_rate = -1  # Was the instability forgotten? (hint 1)
 # Can the origin be reached from everywhere, as the problem book says? (hint 2)
 solvable = sp.true
-solvable = sp.Abs(x0) <= 1  # Can the point be moved inwards from the border? (hint 2)
+solvable = sp.Abs(x0) <= 1  # Can the state be moved inwards from the boundary? (hint 2)
 solvable = x0 < 1  # Does this hold for negative states as well? (hint 1)
 time = sp.log(1 + sp.Abs(x0))  # Is this the time of a stable system? (hint 1)
 time = -sp.log(1 - x0)  # Does this hold for negative states as well? (hint 1)
 time = sp.Abs(x0)  # Was the instability forgotten? (hint 1)
-control = sp.sign(x0)  # Does this push along with the start instead of against it? (hint 2)
+control = sp.sign(x0)  # Does this push away from zero instead of towards it? (hint 2)
 control = -1  # Does this hold for negative states as well? (hint 2)
-control = -x0  # Is this the control that holds the point where it is? (hint 2)
+control = -x0  # Is this the control that keeps the state constant? (hint 2)
 control = -sp.sign(x0) * (1 + sp.Abs(x0)) / 2  # Is a part of the force left unused here? (hint 1)
 # Is this the motion of a stable system? (hint 1)
 trajectory = sp.sign(x0) * ((1 + sp.Abs(x0)) * sp.exp(-t) - 1)
@@ -42,4 +42,4 @@ trajectory = sp.sign(x0) * (1 - sp.exp(t + sp.log(1 - sp.Abs(x0))))  # by the le
 # cases
 trajectory = sp.Piecewise((1 - (1 - x0) * sp.exp(t), x0 > 0), ((1 + x0) * sp.exp(t) - 1, True))
 costate = sp.exp(-t) / (x0 - sp.sign(x0))  # without the absolute value
-costate = [-sp.sign(x0) * sp.exp(-sp.log(1 - sp.Abs(x0)) - t)]  # by the time that is left
+costate = [-sp.sign(x0) * sp.exp(-sp.log(1 - sp.Abs(x0)) - t)]  # by the remaining time

@@ -20,7 +20,7 @@ law = -sp.sign(x2 + sp.sign(x1) * sp.sqrt(1 - (sp.Abs(x1) - 1 - 2 * n) ** 2))
 crossing = [sp.sin(alpha) * (1 - sp.cos(alpha)), -sp.sin(alpha) * (1 + sp.cos(alpha))]
 # Does the semicircle of one radius hold for all radii? (hint 1)
 in_dispersal = sp.sqrt(1 - (x1 - R + 1) ** 2)
-in_dispersal = 0  # Is the axis the border between the two controls? (hint 2)
+in_dispersal = 0  # Is the axis the boundary between the two controls? (hint 2)
 in_law = sp.sign(x2)  # Is it best to push along the velocity at every instant? (hint 1)
 in_law = -sp.sign(x2)  # Is this the law from outside? (hint 1)
 # Does the law of small circles hold for large ones? (hint 2)

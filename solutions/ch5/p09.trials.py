@@ -33,7 +33,7 @@ w0, v0 = (
 a_switching = [(w0 + v0) / 2, (w0 - v0) / 2]
 # Is this the law for the origin as the target? (hint 1)
 a_law = -sp.sign(x2 + sp.sign(x1) * sp.sqrt(x1**2 + 2 * sp.Abs(x1)))
-a_barrier = 1 - x1  # Is this the border of the strip instead of a trajectory? (hint 1)
+a_barrier = 1 - x1  # Is this the boundary of the strip instead of a trajectory? (hint 1)
 a_barrier = sp.sqrt(x1**2 + R**2)  # Is this the hyperbola of free motion? (hint 1)
 # Is this the strip of item a, where the bounds are symmetric? (hint 1)
 b_solvable = sp.Abs(x1 + x2) < 1

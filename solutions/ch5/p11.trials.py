@@ -5,7 +5,7 @@ angular_rate = u * sp.cos(theta) ** 2 + sp.sin(theta) ** 2
 angular_rate = -u * sp.sin(theta) ** 2 - sp.cos(theta) ** 2
 angular_rate = -sp.sqrt(u)  # Is this the mean rate of a whole turn? (hint 1)
 time = 2 * time  # Is this a whole period instead of a half-turn? (hint 1)
-time = 0  # Does the start count as a return?
+time = 0  # Does the initial state count as a return?
 time = time / 2  # Does x vanish at this time, or its rate? (hint 1)
 control = softest  # Is the softest spring the fastest? (hint 2)
 # Does the switching function change its sign where it touches zero? (hint 1)
@@ -27,15 +27,15 @@ omega = sp.sqrt(stiffest)
 costate = [-omega * sp.sin(omega * t), -sp.cos(omega * t)]
 # Is $\lambda_0$ positive with this sign? (hint 2)
 costate = [-costate[0], -costate[1]]
-costate = [costate[1], costate[0]]  # Did the two costates change places? (hint 1)
-switching = -switching  # Did the function get the wrong sign? (hint 1)
+costate = [costate[1], costate[0]]  # Were the two costates interchanged? (hint 1)
+switching = -switching  # Does the function have the wrong sign? (hint 1)
 # Is this psi2 alone? (hint 1)
 switching = -sp.cos(sp.sqrt(stiffest) * t) / (stiffest * stretch)
 # Does H vanish with these costates? They have to be normalised.
 switching = sp.cos(sp.sqrt(stiffest) * t) ** 2
 meeting = 2 * n * time  # Are these whole periods instead of half-turns? (hint 1)
-meeting = (n - 1) * time  # Which number has the start? (hint 1)
-meeting = time  # Is this the first return, whatever n is? (hint 1)
+meeting = (n - 1) * time  # What is the number of the initial state? (hint 1)
+meeting = time  # Is this the first return for every n? (hint 1)
 
 # %% right
 angular_rate = -1 - (u - 1) * sp.cos(theta) ** 2  # over r^2

@@ -23,7 +23,7 @@ costate = [-costate[0], -costate[1]]  # Is $\lambda_0$ positive with this sign? 
 costate = [-costate[0], costate[1]]
 # Is this the function of problem 5.11? (hint 1)
 switching = sp.cos(sp.sqrt(stiffest) * t) ** 2 / stiffest
-switching = -switching  # Did the function get the wrong sign? (hint 1)
+switching = -switching  # Does the function have the wrong sign? (hint 1)
 # Does H vanish with these costates? They have to be normalised.
 switching = sp.sin(sp.sqrt(stiffest) * t) ** 2
 latest = time  # Is this the least time instead of the greatest? (hint 1)

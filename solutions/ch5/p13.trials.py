@@ -1,7 +1,7 @@
 # %% wrong
 meeting = n * sp.pi / 2  # Is this the time of the fastest spring? (hint 1)
 meeting = 2 * n * sp.pi  # Are these whole periods instead of half-turns? (hint 2)
-meeting = sp.pi  # Is this the first return, whatever n is? (hint 2)
+meeting = sp.pi  # Is this the first return for every n? (hint 2)
 time = sp.pi / 2  # Is this the time of the fastest spring? (hint 1)
 time = 2 * sp.pi  # Is this a whole period, past the first return? (hint 1)
 # Is there no bound at all? The velocity has to vanish at some time. (hint 1)
@@ -13,15 +13,15 @@ control = sp.Rational(1, 4)  # Does the bound allow so soft a spring?
 trajectory = sp.cos(2 * t)  # Is this the motion with the fastest spring? (hint 1)
 # Does this motion start at the given position, and is the spring the right one? (hint 1)
 trajectory = (3 + sp.cos(2 * t)) / 4
-trajectory = sp.sin(t)  # Is this the start of problem 5.12? (hint 1)
+trajectory = sp.sin(t)  # Is this the initial state of problem 5.12? (hint 1)
 costate = [-sp.sin(t), -sp.cos(t)]  # Are these the costates for the least time? (hint 1)
 # Are these the costates of problem 5.11? (hint 1)
 costate = [
     -sp.sin(2 * t) / 2,
     -sp.cos(2 * t) / 4,
 ]
-costate = [sp.cos(t), sp.sin(t)]  # Did the two costates change places? (hint 1)
-switching = sp.cos(t) ** 2  # Did the function get the wrong sign? (hint 1)
+costate = [sp.cos(t), sp.sin(t)]  # Were the two costates interchanged? (hint 1)
+switching = sp.cos(t) ** 2  # Does the function have the wrong sign? (hint 1)
 switching = -sp.cos(t)  # Is this psi2 alone? (hint 1)
 switching = sp.cos(2 * t) ** 2 / 4  # Is this the function of problem 5.11? (hint 1)
 

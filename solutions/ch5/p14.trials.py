@@ -1,14 +1,14 @@
 # %% wrong
 # Are the two arcs interchanged? Where does the spring give energy to the mass? (hint 1)
 control = sp.Piecewise((u_min, t < sp.pi / (2 * sp.sqrt(u_min))), (u_max, True))
-control = u_max  # Is it good to stay stiff on the way out, too? (hint 1)
-control = u_min  # Is it good to be soft on the way in, too? (hint 1)
+control = u_max  # Should the spring stay stiff on the way out, too? (hint 1)
+control = u_min  # Should the spring be soft on the way in, too? (hint 1)
 # Does this switching time belong to the frequency of the soft spring? (hint 2)
 control = sp.Piecewise((u_max, t < sp.pi / (2 * sp.sqrt(u_min))), (u_min, True))
 # Is the stiffness the frequency? (hint 2)
 control = sp.Piecewise((u_max, t < sp.pi / (2 * u_max)), (u_min, True))
-trajectory = sp.cos(sp.sqrt(u_max) * t)  # Does the mass feel one spring only? (hint 1)
-trajectory = -sp.sin(sp.sqrt(u_max) * t)  # Does this motion start where the mass does? (hint 1)
+trajectory = sp.cos(sp.sqrt(u_max) * t)  # Does the stiffness stay the same? (hint 1)
+trajectory = -sp.sin(sp.sqrt(u_max) * t)  # Does this motion start at the initial state? (hint 1)
 # Is the amplitude of the second arc that of the first? Look at the velocities. (hint 1)
 trajectory = sp.Piecewise(
     (sp.cos(sp.sqrt(u_max) * t), t < sp.pi / (2 * sp.sqrt(u_max))),
@@ -22,7 +22,7 @@ duration = sp.pi * (1 / sp.sqrt(u_min) + 1 / sp.sqrt(u_max))
 duration = 2 * sp.pi / (sp.sqrt(u_min) + sp.sqrt(u_max))
 cost = -1  # Is the amplitude kept, as with a constant spring? (hint 1)
 cost = sp.sqrt(u_max / u_min)  # On which side does the mass come to rest? (hint 1)
-cost = -u_max / u_min  # Is it the velocity or its square that the energy gives? (hint 1)
+cost = -u_max / u_min  # Does the energy give the velocity or its square? (hint 1)
 cost = -sp.sqrt(u_min / u_max)  # Is this the nearest equilibrium? (hint 1)
 # Does H grow with u where it should? Look at the sign of the costate at the end. (hint 1)
 costate = [

@@ -1,15 +1,15 @@
 # %% wrong
 # Are the two arcs interchanged? Where does the spring take energy from the mass? (hint 1)
 control = sp.Piecewise((u_max, t < sp.pi / (2 * sp.sqrt(u_max))), (u_min, True))
-control = u_max  # Is it good to be stiff on the way out, too? (hint 1)
-control = u_min  # Is it good to stay soft on the way back, too? (hint 1)
+control = u_max  # Should the spring be stiff on the way out, too? (hint 1)
+control = u_min  # Should the spring stay soft on the way back, too? (hint 1)
 # Does the switching time belong to the frequency of the way out? (hint 1)
 control = sp.Piecewise((u_min, t < sp.pi / (2 * sp.sqrt(u_max))), (u_max, True))
 # Is the stiffness the frequency? (hint 2)
 control = sp.Piecewise((u_min, t < sp.pi / (2 * u_min)), (u_max, True))
 # Does the stiffness stay the same? (hint 1)
 trajectory = sp.sin(sp.sqrt(u_min) * t) / sp.sqrt(u_min)
-trajectory = sp.sin(sp.sqrt(u_min) * t)  # Is the velocity at the start the given one? (hint 1)
+trajectory = sp.sin(sp.sqrt(u_min) * t)  # Is the initial velocity the given one? (hint 1)
 # Does the mass reverse at the same position on both arcs? (hint 1)
 trajectory = sp.Piecewise(
     (sp.sin(sp.sqrt(u_min) * t) / sp.sqrt(u_min), t < sp.pi / (2 * sp.sqrt(u_min))),
@@ -21,7 +21,7 @@ duration = sp.pi / sp.sqrt(u_min)  # Does the soft spring act all the time? (hin
 duration = sp.pi * (1 / sp.sqrt(u_min) + 1 / sp.sqrt(u_max))
 cost = -1  # Is the speed kept, as with a constant spring? (hint 1)
 cost = sp.sqrt(u_max / u_min)  # In which direction does the mass return? (hint 1)
-cost = -u_max / u_min  # Is it the velocity or its square that the energy gives? (hint 1)
+cost = -u_max / u_min  # Does the energy give the velocity or its square? (hint 1)
 cost = -sp.sqrt(u_min / u_max)  # Is this the slowest return? (hint 1)
 # Are these the costates of a cost with the other sign? (hint 1)
 costate = [

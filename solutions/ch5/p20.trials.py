@@ -1,7 +1,7 @@
 # %% wrong
 control = a  # Is a constant force the cheapest? (hint 2)
 control = 4 * a / sp.pi * sp.sin(t)  # Which costate vanishes at the end? (hint 1)
-control = a * sp.cos(t)  # Does this force bring the mass to the place? (hint 3)
+control = a * sp.cos(t)  # Does this force bring the mass to the position? (hint 3)
 # Is this the force for a mass that is to be at rest at the end? (hint 1)
 control = 4 * a * (sp.pi * sp.cos(t) - 2 * sp.sin(t)) / (sp.pi**2 - 4)
 trajectory = a * sp.sin(t)  # Is the mass at rest at $t = 0$? (hint 1)
@@ -25,7 +25,7 @@ fixed_cost = 4 * a**2 / sp.pi  # Can the additional condition be had for nothing
 fixed_cost = 4 * a**2 / (sp.pi**2 - 4)
 
 # %% right
-control = 4 * a / sp.pi * sp.sin(sp.pi / 2 - t)  # the sine of the time that is left
+control = 4 * a / sp.pi * sp.sin(sp.pi / 2 - t)  # the sine of the remaining time
 control = 1.273 * a * sp.cos(t)  # decimals
 # both states
 trajectory = [

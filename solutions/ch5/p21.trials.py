@@ -30,7 +30,7 @@ c_effort = c_effort.subs(T, c_still)  # Is this the effort for one duration only
 c_still = sp.Rational(
     2 * end_c[0], end_c[1]
 )  # Is this where the control becomes constant? (hint 1)
-c_still = sp.Rational(*end_c)  # Is this the place divided by the velocity? (hint 1)
+c_still = sp.Rational(*end_c)  # Is this the position divided by the velocity? (hint 1)
 c_best = "yes"  # What is the effort for a still longer duration? (hint 1)
 # Which sign does the mixed term have? (hint 1)
 d_effort = 2 * (3 * X**2 + 3 * X * V * T + V**2 * T**2) / T**3

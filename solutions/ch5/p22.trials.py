@@ -1,5 +1,5 @@
 # %% wrong
-# Is the time counted from the end? (hint 1)
+# Is the time measured from the end? (hint 1)
 general_control = 2 * alpha * xi * sp.exp(alpha * t) / (beta * (sp.exp(2 * alpha * T) - 1))
 # Was the factor of the control used both times? (hint 2)
 general_control = 2 * alpha * xi * sp.exp(alpha * (T - t)) / (sp.exp(2 * alpha * T) - 1)
@@ -12,15 +12,16 @@ a_gramian = sp.Matrix([[1, sp.Rational(1, 2)], [sp.Rational(1, 2), sp.Rational(1
 a_gramian = sp.eye(2)  # Was the exponential forgotten? (hint 1)
 # Does this reach the velocity, too? (hint 2)
 a_control = 12 * xi1 - 6 * xi2 + (6 * xi2 - 12 * xi1) * t
-a_control = xi2  # Is the place reached by a constant push? (hint 1)
-a_energy = 12 * xi1**2 + 12 * xi1 * xi2 + 4 * xi2**2  # Which sign has the mixed term? (hint 1)
+a_control = xi2  # Is the position reached by a constant push? (hint 1)
+# Which sign does the mixed term have? (hint 1)
+a_energy = 12 * xi1**2 + 12 * xi1 * xi2 + 4 * xi2**2
 # Is this the form with the Gramian instead of its inverse? (hint 1)
 a_energy = xi1**2 / 3 + xi1 * xi2 + xi2**2
 b_gramian = 2 * sp.pi * sp.eye(2)  # What is the mean of the square of a sine? (hint 1)
 b_gramian = sp.Matrix([[sp.pi, 1], [1, sp.pi]])  # Are sine and cosine orthogonal here? (hint 1)
 b_control = (
     xi1 * sp.sin(t) + xi2 * sp.cos(t)
-) / sp.pi  # Was the time counted from the end? (hint 1)
+) / sp.pi  # Was the time measured from the end? (hint 1)
 b_control = xi1 * sp.sin(t) + xi2 * sp.cos(t)  # Was the inverse of the Gramian forgotten? (hint 1)
 # Is this the form with the Gramian instead of its inverse? (hint 1)
 b_energy = sp.pi * (xi1**2 + xi2**2)

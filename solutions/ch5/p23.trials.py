@@ -1,5 +1,6 @@
 # %% wrong
-costate = [-psi for psi in costate]  # Which sign has the cost in the adjoint equation? (hint 1)
+# Which sign does the cost have in the adjoint equation? (hint 1)
+costate = [-psi for psi in costate]
 # Was the velocity in the cost forgotten? (hint 2)
 costate = [costate[0], costate[1] - weight * (t - sp.Rational(duration, 2))]
 # Where does the control switch, and where is this second function zero? (hint 2)
@@ -7,8 +8,8 @@ costate = [costate[0], (weight + duration) * t - t**2 / 2]
 # Where should the carriage be most of the time? (hint 1)
 control = sp.Piecewise((bound, t < sp.Rational(duration, 2)), (-bound, True))
 control = -bound  # Is the velocity zero at the end? (hint 2)
-control = sp.Integer(0)  # Is rest the best there is? (hint 1)
-trajectory = -bound * t**2 / 2  # Does this motion come to rest in the end? (hint 1)
+control = sp.Integer(0)  # Is rest the best motion? (hint 1)
+trajectory = -bound * t**2 / 2  # Does this motion come to rest at the end? (hint 1)
 # Do the two arcs join? (hint 1)
 trajectory = bound * sp.Piecewise(
     (-(t**2) / 2, t < sp.Rational(duration, 2)), ((t - duration) ** 2 / 2, True)

@@ -1,6 +1,6 @@
 # %% wrong
 drift_begins = -x2 * sp.Abs(x2) / 2  # Does the drive stay on until the body has to brake? (hint 1)
-drift_begins = -2 * price * x2 * sp.Abs(x2)  # Was the path of the braking left out? (hint 3)
+drift_begins = -2 * price * x2 * sp.Abs(x2)  # Was the braking distance left out? (hint 3)
 # Is it the same parabola for both signs of the velocity? (hint 3)
 drift_begins = (2 * price + sp.Rational(1, 2)) * x2**2
 # By how much does the second costate fall while the body drifts? (hint 2)
@@ -8,7 +8,7 @@ drift_begins = -(price + sp.Rational(1, 2)) * x2 * sp.Abs(x2)
 drift_ends = x2 * sp.Abs(x2) / 2  # Do these branches lead to the origin, or away from it? (hint 1)
 drift_ends = drift_begins  # Which of the two changes comes last? (hint 1)
 drift_ends = -(x2**2) / 2  # Is it the same parabola for both signs of the velocity? (hint 1)
-law = -sp.sign(x1 + x2 * sp.Abs(x2) / 2)  # Is the fuel free of charge here? (hint 1)
+law = -sp.sign(x1 + x2 * sp.Abs(x2) / 2)  # Does the fuel cost nothing here? (hint 1)
 # What lies between the two curves? (hint 1)
 law = -sp.sign(x1 - drift_begins)
 # Do the two sides of the curves have the right signs?
@@ -24,7 +24,7 @@ cost = (1 + price) * b + 2 * sp.sqrt((1 + 2 * price) * (a + b**2 / 2))
 speed = sp.sqrt((a + b**2 / 2) / (1 + 2 * price))
 cost = sp.Piecewise((b + 2 * (1 + price) * speed, a > -b * sp.Abs(b) / 2), (0, True))
 cost = 2 * sp.sqrt(sp.Abs(a))  # Is this the least time from rest?
-control = [[-1, sp.sqrt(d)], [1, 2 * sp.sqrt(d)]]  # Is the fuel free of charge here? (hint 1)
+control = [[-1, sp.sqrt(d)], [1, 2 * sp.sqrt(d)]]  # Does the fuel cost nothing here? (hint 1)
 # Are the three arcs equally long? (hint 1)
 control = [[-1, sp.sqrt(d / 2)], [0, sp.sqrt(2 * d)], [1, 3 * sp.sqrt(d / 2)]]
 # Is the drift half as long as each of the other arcs?
@@ -35,9 +35,9 @@ control = [
 ]
 duration = 2 * sp.sqrt(d)  # Is this the fastest transfer? (hint 1)
 duration = 3 * sp.sqrt(d / 2)  # Are the three arcs equally long? (hint 1)
-# Is this what the transfer costs? (hint 1)
+# Is this the cost of the transfer? (hint 1)
 duration = 2 * sp.sqrt((1 + 2 * price) * d)
-# Was the cost given the other sign? (hint 1)
+# Was the sign of the cost reversed? (hint 1)
 costate = [-costate[0], -costate[1]]
 # What is the second costate where the control changes? (hint 1)
 costate = [costate[0], -costate[0] * t - 1]

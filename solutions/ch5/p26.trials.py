@@ -3,7 +3,8 @@ bound_left = -2 * x2 * sp.Abs(x2)  # Is this the curve for the price of fuel? (h
 bound_left = 43 * x2**2 / 6  # Is it the same parabola for both signs of the velocity? (hint 3)
 # Was the control on the middle arc taken as zero all the time? (hint 3)
 bound_left = -9 * x2 * sp.Abs(x2) / 2
-bound_left = -20 * x2 * sp.Abs(x2) / 3  # Was the path of the last arc left out? (hint 3)
+# Was the distance covered on the last arc left out? (hint 3)
+bound_left = -20 * x2 * sp.Abs(x2) / 3
 # Do these branches lead to the origin, or away from it? (hint 1)
 bound_reached = x2 * sp.Abs(x2) / 2
 bound_reached = -43 * x2 * sp.Abs(x2) / 6  # Which of the two curves is met first? (hint 1)
@@ -49,7 +50,7 @@ law = sp.Eq(
 )
 cost = 6 * sp.sqrt(3 * d / 23)  # Is this the time alone? (hint 1)
 cost = sp.sqrt(10 * d)  # Is this the price of fuel? (hint 1)
-cost = 28 * sp.sqrt(3 * d / 23) / 3  # Is the price one half of the energy? (hint 1)
+cost = 28 * sp.sqrt(3 * d / 23) / 3  # Is the price half of the energy? (hint 1)
 # Does the energy cost nothing here? (hint 1)
 control = sp.Piecewise((-1, t < sp.sqrt(d)), (1, True))
 # Is the control linear in time from the initial time to the final one? (hint 1)
@@ -62,8 +63,8 @@ control = sp.Piecewise(
 )
 duration = 2 * sp.sqrt(d)  # Is this the fastest transfer? (hint 1)
 duration = 7 * sp.sqrt(2 * d / 5) / 2  # Is this the transfer for the price of fuel? (hint 1)
-duration = sp.sqrt(23 * d / 3)  # Is this what the transfer costs? (hint 1)
-# Was the cost given the other sign? (hint 1)
+duration = sp.sqrt(23 * d / 3)  # Is this the cost of the transfer? (hint 1)
+# Was the sign of the cost reversed? (hint 1)
 costate = [sp.sqrt(23 / (12 * d)), sp.Rational(3, 2) - t * sp.sqrt(23 / (12 * d))]
 # Does the control leave its bound at once? (hint 1)
 costate = [-sp.sqrt(23 / (12 * d)), t * sp.sqrt(23 / (12 * d)) - 1]

@@ -1,7 +1,7 @@
 # %% wrong
 # Is this an integral of the equation with the conditions at the left alone? (hint 1)
 a_motion = t**4
-a_motion = t**4 - 2 * t**3 + t**2  # Was the right end held, place and slope? (hint 1)
+a_motion = t**4 - 2 * t**3 + t**2  # Were position and slope fixed at the right end? (hint 1)
 a_motion = 6 * t**2 - 4 * t**3  # Was the load forgotten in the equation? (hint 1)
 # Which sign does psi1 have in the adjoint equation for psi2? (hint 2)
 a_costate = [48 * (t - 1), 24 * (1 - t) ** 2]

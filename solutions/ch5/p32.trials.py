@@ -1,5 +1,5 @@
 # %% wrong
-a_transversality = [psi1, psi3 + 1]  # Is the speed at the end to be great or small? (hint 2)
+a_transversality = [psi1, psi3 + 1]  # Is the final speed maximised or minimised? (hint 2)
 a_transversality = [psi1, psi3 - 1, psi4]  # Is the vertical speed at the end free? (hint 1)
 a_transversality = [psi1, psi2, psi3 - 1]  # Is the height at the end free? (hint 1)
 # Where does the thrust point at the end, and can the rocket be level then? (hint 2)
@@ -9,8 +9,9 @@ a_law = mu * (t - T / 2)  # Does the rocket begin with a dive? (hint 1)
 # Which vertical speed is left if the thrust is never below the horizontal? (hint 1)
 a_slope = sp.tan(theta0) / T
 a_slope = 2 * theta0 / T  # Is it the angle that falls linearly, or its tangent?
-a_shortest = sp.sqrt(2 * h / a)  # Which vertical speed has the rocket when it comes there? (hint 1)
-a_shortest = sp.sqrt(h / a)  # How far does the rocket come in one half of the time? (hint 1)
+# What is the vertical speed of the rocket when it gets there? (hint 1)
+a_shortest = sp.sqrt(2 * h / a)
+a_shortest = sp.sqrt(h / a)  # How far does the rocket get in one half of the time? (hint 1)
 # Was the time replaced everywhere, or is its derivative a constant? (hint 1)
 b_motion = [
     a / c**2 * (sp.cos(theta) - sp.cos(theta0)),
@@ -42,7 +43,7 @@ b_speed = a * T * sp.cos(theta0)  # Does the rocket keep one inclination all the
 b_speed = a * T * sp.asinh(sp.tan(theta0)) / (2 * sp.tan(theta0))
 b_angle = 30  # Is this the plan with two directions? (hint 1)
 b_angle = 36.87  # Is the angle small enough for the first term of the series? (hint 1)
-b_angle = 0.738  # In which unit is the angle asked for?
+b_angle = 0.738  # In which unit is the angle required?
 b_best = 3.464  # Is this the plan with two directions? (hint 1)
 b_best = 4.0  # Is this the speed without any ascent? (hint 1)
 b_best = 2.959  # Does the rocket keep one inclination all the time? (hint 1)

@@ -23,11 +23,11 @@ height = (
     / sp.asinh(sp.tan(theta0))
 )
 angle = 45.9  # Is this the plan with two directions? (hint 1)
-angle = 1.114  # In which unit is the angle asked for?
+angle = 1.114  # In which unit is the angle required?
 angle = 26.18  # From which axis is the angle measured?
-time = 3.675  # Is the ascent free? (hint 1)
+time = 3.675  # Does the ascent take no time? (hint 1)
 time = 4.472  # Is this the time of the ascent alone? (hint 1)
-time = 512.4  # In which unit is the time asked for?
+time = 512.4  # In which unit is the time required?
 law = 1.1138 - 0.43473 * t  # Is it the angle that falls linearly, or its tangent?
 law = 1.1138  # Is the rocket level at the end, if the thrust never points down?
 

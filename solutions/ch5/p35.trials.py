@@ -3,7 +3,7 @@
 pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta))
 # From which axis is the angle measured?
 pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.sin(theta) + psi4 * sp.cos(theta)) - 1
-adjoint = [0, 0, psi1, psi2]  # Which sign stands before the derivative of $H$? (hint 1)
+adjoint = [0, 0, psi1, psi2]  # Which sign precedes the derivative of $H$? (hint 1)
 # Which states does $H$ contain, the positions or the velocities? (hint 1)
 adjoint = [-psi3, -psi4, 0, 0]
 direction = sp.atan(psi4 / psi3)  # Try a thrust that has to point backwards. (hint 2)
@@ -35,7 +35,7 @@ rest_costate = [
 ]
 # What does a ship do that is too fast to stop at the target? (hint 2)
 line_time = (w + sp.sqrt(2 * w**2 + 4 * a * rho)) / a
-line_time = 2 * sp.sqrt(rho / a)  # Was the velocity at the start forgotten? (hint 1)
+line_time = 2 * sp.sqrt(rho / a)  # Was the initial velocity forgotten? (hint 1)
 beside_time = 2.986727  # Does the ship stop at its target? (hint 1)
 angle = sp.atan2(-2, -1)  # Does the thrust keep its direction? (hint 1)
 # Is the thrust reversed at once if the velocity does not point at the target? (hint 1)

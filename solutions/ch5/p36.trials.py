@@ -4,10 +4,10 @@ pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin
 # Was the gravity left out? (hint 1)
 pontryagin = psi1 * v_x + psi2 * v_y + a * (psi3 * sp.cos(theta) + psi4 * sp.sin(theta))
 adjoint = [0, 0, -psi1, -psi2 - g]  # Is gravity multiplied by a state in $H$? (hint 1)
-adjoint = [0, 0, psi1, psi2]  # Which sign stands before the derivative of $H$?
+adjoint = [0, 0, psi1, psi2]  # Which sign precedes the derivative of $H$?
 # Is a large coordinate with a positive weight good or bad?
 transversality = [psi1 + k1, psi2 + k2, psi3 + k3, psi4 + k4]
-transversality = [psi1, psi2, psi3, psi4]  # Does the cost not depend on the end? (hint 1)
+transversality = [psi1, psi2, psi3, psi4]  # Does the cost not depend on the final state? (hint 1)
 # Is the cosine of your angle ever negative? (hint 2)
 angle = sp.atan((k4 + k2 * (T - t)) / (k3 + k1 * (T - t)))
 # Does the gravity term depend on the angle? (hint 1)
@@ -41,10 +41,10 @@ speed = a * T * sp.asinh(sp.tan(theta0)) / sp.tan(theta0)
 # Does the angle fall linearly, or its tangent? (hint 1)
 speed = a * T * (sp.sin(theta0) - sp.sin(theta1)) / (theta0 - theta1)
 first_angle = 42.3  # Is this the angle without gravity? (hint 1)
-first_angle = 1.209  # In which unit is the angle asked for?
-first_angle = 29.37  # Does a rocket with this angle climb, or hold its height? (hint 1)
+first_angle = 1.209  # In which unit is the angle required?
+first_angle = 29.37  # Does a rocket with this angle climb, or fly level? (hint 1)
 best = 3.588  # Is this the speed without gravity? (hint 1)
-best = 3.486  # Is this the speed of the rocket that only holds its height? (hint 1)
+best = 3.486  # Is this the speed in level flight? (hint 1)
 
 # %% right
 # sum and difference

@@ -20,13 +20,13 @@ a_equation = -g * sp.cos(theta) / v
 a_equation = g / v
 # Which sign does each of the two terms with the weight have? (hint 2)
 a_equation = g * sp.cos(theta) * sp.cos(2 * theta) / v
-a_portrait = v * sp.cos(theta)  # Which sign did the logarithm of the cosine get? (hint 1)
+a_portrait = v * sp.cos(theta)  # Which sign does the logarithm of the cosine have? (hint 1)
 a_portrait = v**2 / 2  # Is the height constant? (hint 1)
 a_portrait = v + g * theta  # Were the variables separated before the integration? (hint 1)
 b_angle = -g * t / (2 * v0)  # Is the flight level at the initial or at the final time? (hint 2)
 b_angle = sp.Integer(0)  # Can height be turned into range? (hint 1)
 b_angle = -sp.pi / 4  # Is the best straight slope the best path? (hint 1)
-b_motion = [v0 * t, 0, v0]  # Does it pay to stay at the height of the start? (hint 1)
+b_motion = [v0 * t, 0, v0]  # Is it worthwhile to stay at the initial height? (hint 1)
 # Is the cosine of the angle missing in one of the integrals? (hint 1)
 q = g * t / (2 * v0) - sp.pi / 3
 b_motion = [
@@ -34,7 +34,7 @@ b_motion = [
     2 * v0**2 / g * (sp.cos(q) ** 2 - sp.Rational(1, 4)),
     2 * v0 * sp.cos(q),
 ]
-b_costate = sp.Integer(0)  # Is a little more speed on the way worth nothing? (hint 1)
+b_costate = sp.Integer(0)  # Is a little more speed during the flight worth nothing? (hint 1)
 # Is more speed worth less? Look at the sign. (hint 1)
 b_costate = 2 * v0 / g * sp.sin(g * t / (2 * v0) - sp.pi / 3)
 b_costate = 2 * sp.pi * v0 / (3 * g) - t  # Does the angle stay zero? (hint 1)

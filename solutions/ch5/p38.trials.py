@@ -28,9 +28,9 @@ glide_matrix = [[0, -2 * sp.sqrt(2)], [-sp.sqrt(2) / sp.sqrt(3), -2 * 3**-0.25]]
 glide_kind = "stable node"
 # A first integral allows two kinds. Which sign distinguishes them? (hint 1)
 glide_kind = "centre"
-fall_matrix = [[2, 0], [0, -2]]  # Which sign has the bracket at the fall? (hint 1)
+fall_matrix = [[2, 0], [0, -2]]  # Which sign does the bracket have at the fall? (hint 1)
 fall_matrix = [[-2, -1], [-1, -2]]  # What is the derivative of the sine at this angle? (hint 1)
-fall_kind = "saddle"  # Which sign has the bracket at the fall? (hint 1)
+fall_kind = "saddle"  # Which sign does the bracket have at the fall? (hint 1)
 fall_kind = "stable node"  # Does the matrix have two eigendirections, or more? (hint 1)
 portrait = v / sp.cos(theta)  # Is this constant without drag only? (hint 2)
 # Which sign does the last costate have in a dive? (hint 2)

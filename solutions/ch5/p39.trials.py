@@ -42,9 +42,9 @@ c_heading = sp.atan(T - t)  # Where does the ship arrive on this course? (hint 2
 # Is the path along the bank the fastest, though the water is faster farther out? (hint 1)
 c_heading = sp.Integer(0)
 c_heading = sp.atan(t - T / 2)  # Does the ship leave the bank for the faster water? (hint 1)
-c_distance = T  # Is this the way along the bank? (hint 1)
-c_distance = T / 2 * sp.sqrt(1 + T**2 / 4)  # Did one part of the integral get lost? (hint 2)
-c_distance = T**2 / 4  # Does the ship come to the fast water in no time? (hint 1)
+c_distance = T  # Is this the path along the bank? (hint 1)
+c_distance = T / 2 * sp.sqrt(1 + T**2 / 4)  # Was one part of the integral lost? (hint 2)
+c_distance = T**2 / 4  # Does the ship reach the fast water in no time? (hint 1)
 
 # %% right
 # by the two arguments of the unit vector, as a product

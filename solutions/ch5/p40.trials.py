@@ -22,7 +22,8 @@ b_time = sp.sqrt(x0**2 + y0**2) * v0  # Does a faster point take longer? (hint 1
 # Is this the path along one axis after the other? (hint 1)
 b_time = (sp.Abs(x0) + sp.Abs(y0)) / v0
 b_heading = sp.atan2(y0, x0)  # Does this direction lead to the origin or away from it? (hint 1)
-b_heading = sp.atan(y0 / x0)  # From which initial states does this lead away from the origin? (hint 1)
+# From which initial states does this lead away from the origin? (hint 1)
+b_heading = sp.atan(y0 / x0)
 # Does the point keep the speed that it has at the origin? (hint 1)
 c_time = sp.sqrt(x0**2 + y0**2) / v0
 # How long does the straight path take, and is it the fastest? (hint 2)

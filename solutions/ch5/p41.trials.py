@@ -1,21 +1,21 @@
 # %% wrong
-# Is the area itself to be small? (hint 1)
+# Is the area itself to be minimised? (hint 1)
 a_pontryagin = psi_x * (v * sp.cos(theta) - V) + psi_y * v * sp.sin(theta) - sweep(theta)
 # Does the wind carry the aircraft?
 a_pontryagin = psi_x * v * sp.cos(theta) + psi_y * v * sp.sin(theta) + sweep(theta)
 a_adjoint = [0, 0]  # Does the integral contain the coordinates? (hint 1)
-# Which sign stands before the derivative of $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [v * sp.sin(theta) / 2, -(v * sp.cos(theta) - V) / 2]
-# Is there a wind in the area's integrand? (hint 1)
+# Does the integrand of the area contain the wind? (hint 1)
 a_adjoint = [-v * sp.sin(theta) / 2, v * sp.cos(theta) / 2]
 a_maximum = sp.atan2(psi_y, psi_x)  # Does the heading enter the cost, too? (hint 1)
 # Which of two opposite headings does this give? (hint 2)
 a_maximum = sp.atan((psi_y + x / 2) / (psi_x - y / 2))
-a_maximum = sp.atan2(psi_y - x / 2, psi_x + y / 2)  # Which sign has the area in $H$? (hint 1)
+a_maximum = sp.atan2(psi_y - x / 2, psi_x + y / 2)  # Which sign does the area have in $H$? (hint 1)
 b_pace = T / (2 * sp.pi)  # Where does a flight that turns uniformly end in this wind? (hint 3)
 # Is the pace proportional to the distance from the fixed point, or to its square? (hint 3)
 b_pace = T * sp.sqrt(v**2 - V**2) / (2 * sp.pi * (v - V * sp.cos(theta)))
-# On which heading is the aircraft far away from the focus? (hint 2)
+# On which heading is the aircraft far from the focus? (hint 2)
 b_pace = T * (v**2 - V**2) ** sp.Rational(3, 2) / (2 * sp.pi * v * (v + V * sp.cos(theta)) ** 2)
 b_across = T * (v**2 - V**2) / (sp.pi * v)  # Which of the two axes lies across the wind? (hint 1)
 b_across = v * T / sp.pi  # Is this the flight without wind? (hint 2)

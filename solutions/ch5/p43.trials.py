@@ -1,5 +1,5 @@
 # %% wrong
-# Is this the target that wants to stay long? (hint 1)
+# Is the time to be maximised here? (hint 1)
 a_pontryagin = (
     psi1 * (sp.cos(alpha) - b * sp.cos(beta))
     + psi2 * (-sp.sin(alpha) + b * sp.sin(beta)) / (r * c)
@@ -9,7 +9,7 @@ a_pontryagin = (
 a_pontryagin = psi1 * (sp.cos(alpha) - b * sp.cos(beta)) + psi2 * (
     -sp.sin(alpha) + b * sp.sin(beta)
 ) / (r * c)
-# Does the distance not stand in the second equation of motion? (hint 1)
+# Does the second equation of motion not contain the distance? (hint 1)
 a_adjoint = [0, -b * (psi1 * sp.sin(beta) + psi2 * sp.cos(beta) / (r * c))]
 # With which sign does the derivative of $H$ enter? (hint 1)
 a_adjoint = [
@@ -22,23 +22,23 @@ a_control = sp.atan2(psi2 / (r * c), psi1)  # With which sign does the sine ente
 a_control = sp.atan2(psi2 / (r * c), -psi1)  # Is $H$ least or greatest there? (hint 1)
 # Does the first costate not change with time?
 a_rate = -b * (1 - c) / (r * c) * sp.cos(alpha) * sp.sin(alpha - beta)
-# Does another sign of the cost turn the motion of the control round? (hint 1)
+# Does the sign of the cost reverse the rate of the control? (hint 1)
 a_rate = -(-sp.sin(alpha) + b * sp.sin(beta)) / r + b * (1 - c) / (r * c) * sp.cos(alpha) * sp.sin(
     alpha - beta
 )
 b_rest = [(0, 0)]  # For which other angles does the line of sight not turn? (hint 1)
 b_rest = [(0, 0), (sp.pi, sp.pi)]  # May the two fly in opposite directions? (hint 1)
-# Is the sine of an angle ever so great? (hint 1)
+# Can the sine of an angle be so large? (hint 1)
 b_rest = [(0, 0), (0, sp.pi), (sp.pi, 0), (sp.pi / 2, sp.asin(b))]
-# In which order do the deviations stand? (hint 1)
+# What is the order of the deviations? (hint 1)
 b_flight = sp.Matrix([[b / c, -1 / c], [b / c, b - 1 - b / c]])
 # Was the second term of the target's rate differentiated? (hint 1)
 b_flight = sp.Matrix([[-1, b], [-1 / c, b / c]])
 b_flight_stability = "unstable"  # Is this the matrix for a fast pursuer? (hint 1)
 b_flight_stability = "stable"  # Is the trace zero? (hint 1)
-# Did the determinant keep the sign that it has for a fast pursuer? (hint 1)
+# Does the determinant have the same sign as for a fast pursuer? (hint 1)
 b_flight_type = "saddle"
-b_flight_type = "stable node"  # Are the roots real for these numbers? (hint 1)
+b_flight_type = "stable node"  # Are the eigenvalues real for these numbers? (hint 1)
 b_apart_type = "unstable node"  # Do all small deviations grow there? (hint 1)
 b_apart_type = "unstable focus"  # Is this the solution at which the target catches up? (hint 1)
 b_straight = (r_T - 1) / (1 + b)  # Does the pursuer fly away from the target? (hint 1)
@@ -55,5 +55,5 @@ a_rate = (
     - (sp.sin(alpha) - b * sp.sin(beta)) / r
 )
 b_rest = [(3.1416, 0), (0, 3.1416), (0, 0), (3.1416, 3.1416)]  # in decimals
-b_straight = (1 - r_T) / (b - 1)  # both signs turned round
+b_straight = (1 - r_T) / (b - 1)  # both signs reversed
 b_time = sp.Float("0.9679")  # four digits

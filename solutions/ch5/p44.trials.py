@@ -1,11 +1,11 @@
 # %% wrong
-# Is the energy to be small or great? With which sign does it stand in $H$? (hint 1)
+# Is the energy minimised or maximised? With which sign does it enter $H$? (hint 1)
 a_pontryagin = (
     psi1 * k * rho + psi2 * (-2 * k * omega + u) + rho**2 * (u**2 + (k**2 - omega**2) ** 2)
 )
-# Was the distance forgotten that both accelerations are multiplied by? (hint 1)
+# Was the factor $\rho$ of both accelerations forgotten? (hint 1)
 a_pontryagin = psi1 * k * rho + psi2 * (-2 * k * omega + u) - u**2 - (k**2 - omega**2) ** 2
-# Which sign stands before the derivative of $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [
     k * psi1 - 2 * rho * (u**2 + (k**2 - omega**2) ** 2),
     -2 * k * psi2 + 4 * rho**2 * omega * (k**2 - omega**2),
@@ -15,26 +15,27 @@ a_adjoint = [-k * psi1, 2 * k * psi2]
 a_transversality = [psi1, psi2]  # Is the distance free at the end? (hint 1)
 # Which state has a given value at the end, and which has not? (hint 1)
 a_transversality = [psi1]
-# Was the distance forgotten that stands beside the square of the control? (hint 1)
+# Was the distance in the coefficient of the square of the control forgotten? (hint 1)
 a_control = psi2 / 2
-a_control = -psi2 / (2 * rho**2)  # Is $H$ greatest there? Which sign has the linear term? (hint 1)
-# Does the distance in the control stay the same while the costate changes? (hint 1)
+# Is $H$ greatest there? Which sign does the linear term have? (hint 1)
+a_control = -psi2 / (2 * rho**2)
+# Is the distance in the control constant while the costate changes? (hint 1)
 a_rate = 2 * omega * (omega**2 - k**2) + 2 * k * u
-# Which sign has the derivative of the square of a difference? (hint 2)
+# Which sign does the derivative of the square of a difference have? (hint 2)
 a_rate = 2 * omega * (k**2 - omega**2)
 a_rate = omega * (omega**2 - k**2)  # Is a factor from the inner derivative missing? (hint 1)
 # Are these the terms on the other side of the equation? (hint 1)
 b_duffing = 2 * k**2 * omega + 2 * k * v - 2 * omega**3
-# Does the control stand in what is left after differentiating? (hint 2)
+# Does the result of the differentiation still contain the control? (hint 2)
 b_duffing = -2 * k * v + 2 * omega**3 - 2 * k**2 * omega - 2 * k * omega
-b_duffing = -2 * k**2 * omega - 2 * k * v - 2 * omega**3  # Which sign has the cube? (hint 1)
+b_duffing = -2 * k**2 * omega - 2 * k * v - 2 * omega**3  # Which sign does the cube have? (hint 1)
 b_rest = [(0, 0)]  # When does the other factor vanish? (hint 1)
-b_rest = [(0, 0), (k, 0), (-k, 0)]  # Is $\omega$ at rest there as well? (hint 2)
-# Which sign has the control that keeps $\omega$ constant? (hint 2)
+b_rest = [(0, 0), (k, 0), (-k, 0)]  # Is $\omega$ constant there as well? (hint 2)
+# Which sign does the control that keeps $\omega$ constant have? (hint 2)
 b_rest = [(0, 0), (k, -2 * k**2), (-k, 2 * k**2)]
 # Is there no other matrix among the stationary solutions? (hint 2)
 b_matrices = [sp.Matrix([[-2 * k, 1], [-2 * k**2, 0]])]
-# In which order do the variables stand? (hint 1)
+# What is the order of the variables? (hint 1)
 b_matrices = [sp.Matrix([[0, -2 * k**2], [1, -2 * k]]), sp.Matrix([[0, 4 * k**2], [1, -2 * k]])]
 # Was the cube differentiated in full? (hint 1)
 b_matrices = [sp.Matrix([[-2 * k, 1], [-2 * k**2, 0]]), sp.Matrix([[-2 * k, 1], [0, 0]])]
@@ -42,11 +43,11 @@ b_matrices = [sp.Matrix([[-2 * k, 1], [-2 * k**2, 0]]), sp.Matrix([[-2 * k, 1], 
 b_kinds = {0: "stable focus", 1: "saddle", -1: "saddle"}
 # Is there no term with the first derivative?
 b_kinds = {0: "centre", 1: "saddle", -1: "saddle"}
-# Does the portrait not have a mirror image? (hint 1)
+# Is the portrait not symmetric? (hint 1)
 b_kinds = {0: "unstable focus", 1: "saddle"}
 # Which of them belongs to the positive root? (hint 1)
 b_slopes = [-sp.sqrt(5) - 1, sp.sqrt(5) - 1]
-# Are these the roots themselves? In these variables a slope is something else. (hint 1)
+# Are these the eigenvalues themselves? A slope in these variables differs from them. (hint 1)
 b_slopes = [1 + sp.sqrt(5), 1 - sp.sqrt(5)]
 b_straight = (1 - sp.exp(-T)) / 2  # How does the square of the distance fall? (hint 1)
 b_straight = T  # Does the distance stay the same? (hint 1)

@@ -1,5 +1,5 @@
 # %% wrong
-# Which way does the drag act in a fall? (hint 2)
+# In which direction does the drag act in a fall? (hint 2)
 pontryagin = psi_h * v + psi_v * (g - (P - k * v**2) / m) - psi_m * P / c
 # Does the mass grow while the engine runs? (hint 1)
 pontryagin = psi_h * v + psi_v * (g - (P + k * v**2) / m) + psi_m * P / c
@@ -7,12 +7,12 @@ pontryagin = psi_h * v + psi_v * (g - P / m) - psi_m * P / c  # Was the drag for
 adjoint = [0, -psi_h, -psi_v * P / m**2]  # Are these the equations without drag? (hint 1)
 # Which forces are divided by the mass? (hint 1)
 adjoint = [0, -psi_h + 2 * k * v * psi_v / m, -psi_v * P / m**2]
-# Which sign stands before $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 adjoint = [0, psi_h - 2 * k * v * psi_v / m, psi_v * (P + k * v**2) / m**2]
 transversality = [psi_h - 1]  # Is the height free at the end, or the mass? (hint 1)
-transversality = [psi_m + 1]  # Is the mass at the end to be small or great? (hint 2)
+transversality = [psi_m + 1]  # Is the final mass minimised or maximised? (hint 2)
 transversality = [psi_m - 1, psi_v]  # Is the velocity free at the end? (hint 1)
-switching = psi_v / m - psi_m / c  # Which way does the thrust push here? (hint 1)
+switching = psi_v / m - psi_m / c  # In which direction does the thrust push here? (hint 1)
 # Does full thrust make $H$ greatest or least where this is positive? (hint 1)
 switching = psi_v / m + psi_m / c
 rate = psi_h / m  # Is this the derivative without drag? (hint 2)
@@ -30,12 +30,12 @@ control = sp.Integer(0)  # Does a falling vehicle stay on the surface? (hint 1)
 edge = sp.Eq(v, 2 * c)  # Where does the weight vanish, and where the thrust? (hint 1)
 edge = sp.Eq(v, c * (2 + sp.sqrt(2)))  # Which function has its zero here? (hint 1)
 thrust = sp.Piecewise((0, t < 1.536853), (2, True))  # Was the drag forgotten? (hint 2)
-# In which order do the two arcs follow? (hint 1)
+# What is the order of the two arcs? (hint 1)
 thrust = sp.Piecewise((2, t < 0.709125), (0, True))
-thrust = [[1, 2.698810]]  # Does the vehicle come down with this thrust? (hint 1)
+thrust = [[1, 2.698810]]  # Does the vehicle descend with this thrust? (hint 1)
 left = 0.541462  # Was the drag forgotten? (hint 1)
 left = 0.354563  # Is this the fuel that is burnt, or the mass that is left? (hint 1)
-left = 0.509296  # Is the fuel paid for by the time alone? (hint 1)
+left = 0.509296  # Does the fuel depend on the time alone? (hint 1)
 vacuum = 0.645437  # Is this the mass with air? (hint 1)
 vacuum = sp.exp(-sp.Rational(1, 2))  # Is this a burn in an instant, at the ground? (hint 1)
 

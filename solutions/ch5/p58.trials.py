@@ -1,7 +1,7 @@
 # %% wrong
 # What else does a turn move? (hint 1)
 a_pontryagin = v * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)) + omega * psi3 - 1
-# Is the cost to be great or small? (hint 1)
+# Is the cost minimised or maximised? (hint 1)
 a_pontryagin = (
     v * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha))
     + 1
@@ -9,7 +9,7 @@ a_pontryagin = (
 )
 # Was the part with the offset differentiated, too? (hint 1)
 a_adjoint = [0, 0, v * (psi1 * sp.sin(alpha) - psi2 * sp.cos(alpha))]
-# Which sign stands before the derivative of $H$?
+# Which sign precedes the derivative of $H$?
 a_adjoint = [
     0,
     0,
@@ -20,8 +20,8 @@ a_adjoint = [
 ]
 # Is transversality a condition on the switching function or on the costate? (hint 1)
 a_transversality = [psi3 + k0 * psi2]
-a_transversality = [psi1, psi2]  # Is the place at the end free, or the direction? (hint 1)
-# What else stands beside the rate of turn? (hint 1)
+a_transversality = [psi1, psi2]  # Is the final position free, or the direction? (hint 1)
+# What else is multiplied by the rate of turn? (hint 1)
 a_control = [
     vbar * sp.Piecewise((1, psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha) > 0), (0, True)),
     omegabar * sp.sign(psi3),
@@ -31,16 +31,16 @@ a_control = [
     vbar * sp.sign(psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)),
     omegabar * sp.sign(psi3 + k0 * (psi2 * sp.cos(alpha) - psi1 * sp.sin(alpha))),
 ]
-# Is the offset without influence? (hint 1)
+# Does the offset have no influence? (hint 1)
 a_greatest = (
     vbar * sp.Max(psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha), 0) + omegabar * sp.Abs(psi3) - 1
 )
 b_order = 2  # Is this the number of the derivative? (hint 1)
 b_costates = [sp.cos(alpha), sp.sin(alpha), 0]  # Is $H = 0$ with these? (hint 2)
-# What is the part of the first two across the robot? (hint 1)
+# What is the component of the first two across the robot? (hint 1)
 b_costates = [sp.cos(alpha) / v, sp.sin(alpha) / v, -k0 / v]
 b_control = omegabar  # Does the switching function stay zero under this control? (hint 1)
-# Does the direction of the robot stay that of the first two costates? (hint 1)
+# Does the robot keep the direction of the first two costates? (hint 1)
 b_control = vbar / k0
 b_kelley = 1  # Which sign belongs to the order one?
 # Does the offset stay in the derivatives of the switching function? (hint 1)
@@ -48,11 +48,11 @@ b_kelley = -1 - k0
 b_speed = [0, 0, 0]  # What is $H$ with these costates? (hint 1)
 # How fast does the switching function of $v$ change then? (hint 1)
 b_speed = [-sp.sin(alpha), sp.cos(alpha), -k0]
-# Is the target seen from the marked point or from the wheels' axis? (hint 1)
+# Is the target measured from the marked point or from the wheel axle? (hint 1)
 c_spot = sp.Max(sp.Abs(phi) - sp.acos(vbar / omegabar / r), 0) / omegabar
-# Does the robot stand until it looks at the target? (hint 3)
+# Does the robot stand still until it points at the target? (hint 3)
 c_spot = sp.Abs(sp.atan2(r * sp.sin(phi), r * sp.cos(phi) + k0)) / omegabar
-# Does the marked point have to wait for the middle of the axis? (hint 1)
+# Does the marked point arrive at the same time as the middle of the axle? (hint 1)
 c_duration = sp.Piecewise(
     (
         (sp.Abs(phi) - sp.acos(vbar / omegabar / r) + sp.pi / 2) / omegabar
@@ -61,7 +61,7 @@ c_duration = sp.Piecewise(
     ),
     (r / vbar, True),
 )
-c_duration = r / vbar  # Which way does the robot look at first? (hint 2)
+c_duration = r / vbar  # In which direction does the robot point at first? (hint 2)
 
 # %% right
 a_transversality = sp.Eq(psi3, 0)  # a single equation

@@ -1,13 +1,13 @@
 # %% wrong
-# Is the cost to be small or great? (hint 1)
+# Is the cost minimised or maximised? (hint 1)
 a_pontryagin = psi1 * x2 + psi2 * (x1 + u) + x1**2 + 2 * x2**2
-# Which equation has the body without a force? (hint 1)
+# Which equation does the body satisfy without a force? (hint 1)
 a_pontryagin = psi1 * x2 + psi2 * u - x1**2 - 2 * x2**2
 # The plant is not a double integrator: what is missing? (hint 1)
 a_adjoint = [2 * x1, -psi1 + 4 * x2]
-# Which sign stands before the derivative of $H$? (hint 1)
+# Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [psi2 - 2 * x1, psi1 - 4 * x2]
-a_regular = sp.sign(psi1)  # Which costate stands beside the control? (hint 1)
+a_regular = sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
 a_regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
 b_surface = sp.Eq(x2, x1)  # Was $H = 0$ used with both terms of the cost? (hint 2)
 b_surface = sp.Eq(x2, -x1 / sp.sqrt(2))  # Did the square root leave one line only? (hint 2)
@@ -18,12 +18,12 @@ c_kelley = 4  # Which power of $-1$ belongs to this order? (hint 1)
 c_kelley = -2  # Was the factor of the velocity in the cost kept? (hint 1)
 c_holds = "no"  # Which sign does the condition require? (hint 1)
 d_starts = sp.Abs(b) < 1  # Does the velocity not matter? (hint 1)
-d_starts = b + c < 1  # What of the other side? (hint 1)
+d_starts = b + c < 1  # What about the other side? (hint 1)
 d_starts = sp.Abs(b - c) < 1  # Which combination grows, and which one decays? (hint 1)
-# When is the line reached, and what holds the body there? (hint 2)
+# When is the line reached, and which control keeps the body on it? (hint 2)
 d_control = [[-1, 1], [0, 3]]
-d_control = [[-b, 3]]  # Is a small control at first of advantage? (hint 1)
-d_cost = sp.sqrt(2) * b**2  # Is the start on the line? (hint 1)
+d_control = [[-b, 3]]  # Is a small initial control an advantage? (hint 1)
+d_cost = sp.sqrt(2) * b**2  # Is the initial state on the line? (hint 1)
 # Does the first arc cost nothing? (hint 1)
 d_cost = sp.sqrt(2) * (1 - (1 - b) * sp.cosh(sp.asinh(1 / (1 - b)) - sp.asinh(1))) ** 2
 

@@ -1,5 +1,5 @@
 # %% wrong
-# Which sign has a feedback that holds the motion back, with $u = Kx$? (hint 1)
+# Which sign does a stabilising feedback $u = Kx$ have? (hint 1)
 gain = -gain
 # Which root of the Riccati equation was taken, and where does the motion go with it? (hint 2)
 root = sp.sqrt(rate**2 + sp.Rational(weight, price))
@@ -9,7 +9,7 @@ gain = price * gain  # Was the weight of the control in the square forgotten? (h
 gain = -(rate + sp.sqrt(rate**2 + weight))
 # This mirrors the eigenvalue of the free motion. Does the deviation cost nothing here?
 gain = -2 * rate
-# Does the factor before the integral belong to both terms? (hint 1)
+# Does the factor in front of the integral belong to both terms? (hint 1)
 gain = -rate - sp.sqrt(rate**2 + sp.Rational(weight, 2 * price))
 # Is this the value of the integral alone? (hint 2)
 root = sp.sqrt(rate**2 + sp.Rational(weight, price))
@@ -17,7 +17,7 @@ cost = price * (rate + root) * x0**2
 # Can an integral of squares be negative?
 root = sp.sqrt(rate**2 + sp.Rational(weight, price))
 cost = price * (rate - root) / 2 * x0**2
-# How does the cost change if the start is doubled? (hint 1)
+# How does the cost change if the initial state is doubled? (hint 1)
 root = sp.sqrt(rate**2 + sp.Rational(weight, price))
 cost = price * (rate + root) / 2 * x0
 # Was a half counted twice? (hint 2)

@@ -2,11 +2,11 @@
 a_cost = sp.diag(a_weight, 0)  # Is the integrand itself the cost of the whole way? (hint 1)
 # Can a cost be negative?
 a_cost = sp.Matrix([[-a_cost[0, 0], a_cost[0, 1]], [a_cost[0, 1], -a_cost[1, 1]]])
-# Which sign has the off-diagonal entry in the second equation? (hint 1)
+# Which sign does the off-diagonal entry have in the second equation? (hint 1)
 a_cost = sp.Matrix([[a_cost[0, 0], -a_cost[0, 1]], [-a_cost[0, 1], a_cost[1, 1]]])
-# Have the two coordinates changed places?
+# Were the two coordinates interchanged?
 a_cost = sp.Matrix([[a_cost[1, 1], a_cost[0, 1]], [a_cost[0, 1], a_cost[0, 0]]])
-a_gain = [-k for k in a_gain]  # Which sign has a feedback $u = Kx$ that brakes? (hint 1)
+a_gain = [-k for k in a_gain]  # Which sign does a braking feedback $u = Kx$ have? (hint 1)
 a_gain = [-a_cost[0, 0], -a_cost[0, 1]]  # Which row of S does B select? (hint 1)
 # Was the sign of the spring lost in the Riccati equation?
 joint = 1 + sp.sqrt(1 + a_weight)
@@ -14,19 +14,19 @@ a_gain = [-joint, -sp.sqrt(2 * joint)]
 # Is there no spring in this equation?
 a_gain = [-sp.sqrt(a_weight), -sp.sqrt(2 * sp.sqrt(a_weight))]
 a_gain = [0, -sp.sqrt(a_weight)]  # Is the weight put on the velocity here?
-# Are these the coefficients of the loop, with the spring in it? (hint 1)
+# Are these the coefficients of the closed loop, which contains the spring? (hint 1)
 a_gain = [a_gain[0] - 1, a_gain[1]]
 a_eigenvalues = [sp.I, -sp.I]  # Is this the motion without control? (hint 1)
 a_eigenvalues = [-value for value in a_eigenvalues]  # Do these motions decay?
 a_eigenvalues = a_gain  # Are these the gains? (hint 1)
-b_seen = False  # Does a spring that is drawn out stay without a velocity? (hint 1)
-b_cost = b_cost / 2  # Is it once or twice the energy that has to be paid? (hint 1)
-b_cost = sp.diag(0, b_weight)  # What does a spring that is drawn out do a moment later? (hint 1)
+b_seen = False  # Does a mass on a stretched spring stay at rest? (hint 1)
+b_cost = b_cost / 2  # Is the cost the energy, or twice the energy? (hint 1)
+b_cost = sp.diag(0, b_weight)  # Does a mass on a stretched spring stay at rest? (hint 1)
 b_cost = -b_cost  # Can a cost be negative? (hint 2)
-b_cost = a_cost  # Is the place paid for in this item?
+b_cost = a_cost  # Does the cost of this item contain the position?
 b_gain = [0, -b_gain[1]]  # Does this law take energy out, or put it in? (hint 1)
 b_gain = [0, -2]  # This makes the motion aperiodic. What does so much friction cost?
-b_gain = [b_gain[1], b_gain[1]]  # Is the place paid for in this item? (hint 1)
+b_gain = [b_gain[1], b_gain[1]]  # Does the cost of this item contain the position? (hint 1)
 b_gain = [0, 0]  # Does the oscillation come to an end by itself? (hint 1)
 b_gain = [b_gain[1], 0]  # Which row of S does B select?
 b_gain = []  # Is there a motion that costs nothing and does not decay? (hint 1)

@@ -1,17 +1,17 @@
 # %% wrong
 gain = [0, -gain[1]]  # Does this put energy into the oscillation? (hint 1)
 gain = [0, -filter_gain[1]]  # Is this the gain of the filter? (hint 1)
-gain = [2 * gain[1], gain[1]]  # Is the place paid for? (hint 1)
+gain = [2 * gain[1], gain[1]]  # Does the cost contain the position? (hint 1)
 gain = [gain[1], 0]  # Which row of S does B select?
-# Can a place be known exactly, if only the velocity is measured, with errors?
+# Can the position be known exactly, if only the velocity is measured, with errors?
 covariance = sp.diag(0, covariance[1, 1])
-# Can variances be zero beside a covariance that is not? (hint 2)
+# Can a variance be zero if the covariance is not? (hint 2)
 covariance = covariance[1, 1] * sp.Matrix([[0, 1], [1, 0]])
-# Which power of the velocity's variance stands in the last equation?
+# Which power of the velocity's variance appears in the last equation?
 covariance = intensity * sp.eye(2)
 covariance = sp.sqrt(weight) * sp.eye(2)  # Is this the matrix of the regulator? (hint 1)
 covariance = -covariance  # Can a variance be negative?
-# Is this the gain of the regulator, put into the filter?
+# Is this the gain of the regulator, inserted into the filter?
 filter_gain = [0, sp.sqrt(weight)]
 filter_gain = filter_gain[::-1]  # Which of the two coordinates is measured? (hint 1)
 # Does the filter move towards the measurement with this sign?
@@ -21,15 +21,15 @@ filter_gain = [0, intensity]  # Is this the intensity of the noise itself?
 controller = [e2, -e1 + filter_gain[1] * (z - e2)]
 # Which gain belongs to the innovation? (hint 1)
 controller = [e2, -e1 + gain[1] * e2 - gain[1] * (z - e2)]
-# Is the sign of the control right, and from what is the measurement counted?
+# Is the sign of the control right, and which value is subtracted from the measurement?
 controller = [e2, -e1 - gain[1] * e2 + filter_gain[1] * (z - e2)]
 # Into which equation does the correction go?
 controller = [e2 + filter_gain[1] * (z - e2), -e1 + gain[1] * e2]
-price = known  # Is the state known without an error? (hint 2)
-price = price - known  # Is this the price of not knowing alone?
-price = 2 * price - known  # Was the error of the place paid for, too? (hint 2)
-price = price / 2  # Was a half put before the sum?
-known = price  # What is this with the measurement that there is? (hint 1)
+price = known  # Is the state known without error? (hint 2)
+price = price - known  # Is this the cost of not knowing the state alone?
+price = 2 * price - known  # Was the error of the position included in the cost? (hint 2)
+price = price / 2  # Was a factor one half put in front of the sum?
+known = price  # What is this value with the given measurement? (hint 1)
 known = known / intensity  # Does the strength of the noise not matter? (hint 1)
 known = 2 * known  # On how many of the two equations does the noise act? (hint 1)
 known = 0  # Is there no noise, if the state is known?

@@ -73,6 +73,8 @@ ODD = (
     r"no say in|equally dear|deaf to|blind for|live[sd]? apart|at one blow|gives? to nobody",
     r"eigenrows?|forms? of cauchy|gets? its sign turned|has this matrix an inverse",
     r"a observab(le|ility) (canonical|form|decomposition)",
+    r"surfaces? of singular control|settled (filter|state)s?|too dear|dearer by|a unit of way",
+    r"costs? stands? (at|in|only)|stands? in \$H|with a dash for|way of the (ship|point|body)",
 )
 PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
@@ -110,6 +112,11 @@ def test_the_glossary_lists_the_standard_terms():
         ("the system falls apart; whoever knows $x$", ["system falls apart", "whoever knows"]),
         ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
         ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
+        ("The cost stands at the end.\nIt is too dear.", ["too dear", "cost stands at"]),
+        (
+            "What stands in $H$ on the surface of\nsingular control?",
+            ["surface of singular control", "stands in $H"],
+        ),
         ("the first moment of $x$; a moment of force; the condition is open", []),
         ("The other terms had no\nsay in it; an eigenrow", ["no say in", "eigenrow"]),
         (
