@@ -7,18 +7,18 @@ a_angles = [2 * sp.pi * n, sp.pi + 2 * sp.pi * n]
 a_angles = [-sp.atan(w / g) + 2 * sp.pi * n]
 a_unstable = [-sp.atan(w / g) + 2 * sp.pi * n]  # Is this the hanging position? (hint 1)
 b_deviation = -g / l * psi  # Is this the equation of a pendulum on a suspension at rest? (hint 1)
-# Which sign has the derivative of the cosine? (hint 1)
+# What is the sign of the derivative of the cosine? (hint 1)
 b_deviation = -(g * sp.cos(phis) + w * sp.sin(phis)) / l * psi
-# Is this the sign of a pendulum that stands upside down? (hint 1)
+# Is this the sign for an inverted pendulum? (hint 1)
 b_deviation = (g * sp.cos(phis) - w * sp.sin(phis)) / l * psi
 c_angle_gain = sp.Matrix([beta1, beta2])  # Was gravity forgotten? (hint 1)
-c_angle_gain = sp.Matrix([beta1, beta2 + k])  # Which sign has k in the polynomial? (hint 1)
+c_angle_gain = sp.Matrix([beta1, beta2 + k])  # What is the sign of k in the polynomial? (hint 1)
 c_angle_observer = [e2, -k * e1]  # Do the errors decay without any correction? (hint 1)
 # Is a spring added to the errors where friction is needed? (hint 1)
 c_angle_observer = [e2, -k * e1 + (z - e1)]
 # Is the measurement fed in, or its difference from what is expected? (hint 1)
 c_angle_observer = [e2 + z, -k * e1]
-c_speed_observable = sp.true  # Does the rate determine the angle whatever the equation is? (hint 2)
+c_speed_observable = sp.true  # Does the rate determine the angle for every equation? (hint 2)
 c_speed_observable = k > 0  # Does a pendulum have to hang to be observable? (hint 1)
 c_speed_gain = sp.Matrix([beta1, beta2 - k])  # Is this the gain for a measured angle? (hint 1)
 c_speed_gain = sp.Matrix([1 + beta2 / k, beta1])  # Was a sign lost in the determinant? (hint 1)

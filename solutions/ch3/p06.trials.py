@@ -1,7 +1,7 @@
 # %% wrong
 # Are these the coefficients of the polynomial instead of the gain? (hint 2)
 family = sp.Matrix([beta1, beta2, beta3])
-# Was the change of coordinates left out that the canonical form needs? (hint 1)
+# Was the change of coordinates to the canonical form left out? (hint 1)
 family = sp.Matrix([b - c for b, c in zip(betas, coefficients[::-1])])
 # Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 2)
 family = -family

@@ -3,16 +3,16 @@
 printed_obstacle = {}
 # Does this motion decay, and is it really hidden? (hint 1)
 printed_obstacle = {-margin: [1, -margin, margin**2]}
-# Is the fastest motion the one that is not seen? (hint 1)
+# Is the fastest motion the unobservable one? (hint 1)
 fast = max(A.eigenvals())
 printed_obstacle = {fast: [1, fast, fast**2]}
 margins = mu < margin  # Is a margin reached where a root lies just on its border? (hint 1)
-margins = sp.true  # Is a hidden mode no hindrance because it decays? (hint 1)
-margins = sp.false  # Has a system no observer as soon as something is not seen? (hint 1)
-gain = sp.Matrix([0, 0, 0])  # Do the errors decay if the system is left to itself? (hint 1)
+margins = sp.true  # Does a hidden mode that decays impose no limit? (hint 1)
+margins = sp.false  # Does every unobservable motion rule out an observer? (hint 1)
+gain = sp.Matrix([0, 0, 0])  # Do the errors decay without a correction? (hint 1)
 # Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 1)
 gain = -gain
-# Were the corrections of the new coordinate taken for those of x? (hint 1)
+# Were the corrections of the new coordinate used for x? (hint 1)
 gain = sp.Matrix([gain[1], gain[2] + margin * gain[1], 0])
 # Is it impossible because the system is not observable? How fast does the hidden motion decay?
 # (hint 1)
