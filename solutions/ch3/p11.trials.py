@@ -4,19 +4,19 @@ rest = [rest[0], rest[3], rest[4]]  # Must the two coordinates have the same sig
 # Are these the zeros of the sine, or of the cosine? (hint 1)
 rest = [(0, 0), (0, sp.pi), (sp.pi, 0), (sp.pi, sp.pi)]
 rest = [*rest, (sp.pi, sp.pi)]  # Is the cosine 1 or $-1$ there? (hint 2)
-# Into which direction goes the shift? (hint 1)
+# What is the direction of the shift? (hint 1)
 rest = [(y + sp.pi / 2, z + sp.pi / 2) for y, z in rest]
-matrices = matrices[:4]  # Have you been at every equilibrium? (hint 2)
+matrices = matrices[:4]  # Has every equilibrium been considered? (hint 2)
 matrices = [sp.Matrix([[0, -1], [-1, 0]]), sp.zeros(2, 2)]  # Which signs may the sines have?
-# In which row does the derivative of the first right-hand side stand?
+# In which row is the derivative of the first right-hand side?
 matrices = [sp.diag(m[0, 1], m[1, 0]) for m in matrices[:4]] + [sp.zeros(2, 2)]
 # What is the derivative of the cosine where the cosine is 1?
 matrices = [*matrices[:4], sp.eye(2)]
-# Is it the sum or the difference that keeps its value? (hint 3)
+# Is it the sum or the difference that is constant? (hint 3)
 integral = sp.cot(y1 / 2) + sp.cot(y2 / 2) + y1 + y2
 # What became of the second term of the fraction? (hint 2)
 integral = sp.cot(y2 / 2) - sp.cot(y1 / 2)
-# Were the factors in front of the cosines taken along? (hint 1)
+# Were the factors in front of the cosines kept? (hint 1)
 integral = sp.sin(y1) - sp.sin(y2)
 integral = sp.Integer(1)  # Does this distinguish one motion from another?
 # Are the signs the same everywhere? (hint 1)
@@ -27,10 +27,10 @@ gains = [*gains[:4], [rest[4], [-1, -1]]]
 gains = [*gains[:4], [rest[4], [0, -2]]]
 # Do imaginary eigenvalues resist the control? (hint 1)
 gains = [gains[0], [rest[1], []], *gains[2:]]
-gains = gains[:4]  # What is to be said about the point that is left out? (hint 2)
+gains = gains[:4]  # What can be said about the omitted point? (hint 2)
 # Is the feedback $K(y - y^*)$, or minus that?
 gains = [[place, [-k for k in K]] for place, K in gains]
-# Does an oscillation for ever count as asymptotically stable?
+# Is an undamped oscillation asymptotically stable?
 gains = [gains[0], [rest[1], [0, 0]], *gains[2:]]
 
 # %% right

@@ -1,22 +1,22 @@
 # %% wrong
 free_region = sp.false  # Does the second coordinate not act back on the first one? (hint 1)
-free_region = epsilon > 0  # How strong has the coupling to be against the growth? (hint 1)
-# Where is the second root on the border? (hint 1)
+free_region = epsilon > 0  # How strong must the coupling be to stop the growth? (hint 1)
+# What is the second root on the border? (hint 1)
 free_region = coupling * epsilon >= growth * decay
-# What if the part left to itself drives the other one further away? (hint 1)
+# What if the coupling through $x_2$ drives $x_1$ further away? (hint 1)
 gain = sp.Matrix([[-growth - 1, 0]])
 # What is this gain where the coupling vanishes? (hint 1)
 gain = sp.Matrix([[-growth - 1, coupling - 1 / epsilon]])
 # With which sign does the parameter enter the polynomial? (hint 1)
 gain = sp.Matrix([[-growth - 1, coupling + epsilon]])
 gain = []  # Does the uncontrollable part not decay by itself?
-# Which sign has the feedback in the statement? (hint 1)
+# What is the sign of the feedback in the statement? (hint 1)
 prescribed = -prescribed
-# Does one of the gains stand in both coefficients? (hint 1)
+# Does one of the gains appear in both coefficients? (hint 1)
 prescribed = sp.Matrix([[prescribed[0], coupling - (growth * decay + decay + gamma2) / epsilon]])
 # Is this the gain of a chain of integrators? (hint 1)
 prescribed = sp.Matrix([[-gamma1, -gamma2]])
-# Which sign may the divisor have? (hint 2)
+# What signs may the divisor have? (hint 2)
 region = (k1 < decay - growth) & (k2 < coupling - decay * (growth + k1) / epsilon)
 # Are there no other gains for a single value of the parameter? (hint 1)
 region = (k1 < -growth) & sp.Eq(k2, coupling)

@@ -3,29 +3,29 @@ lost = {}  # The control enters both equations. What of their difference? (hint 
 lost = {1: [[1, 1]]}  # Does the control not enter the sum? (hint 1)
 # Was a sign of the parameter lost? Write the derivative of the difference down once more. (hint 2)
 lost = {-1: [[1, -1]]}
-# Does the control reach the second coordinate only through the coupling? (hint 1)
+# Does the control act on the second coordinate only through the coupling? (hint 1)
 lost = {0: [[0, 1]]}
 # It is controllable in general. What happens at the exceptional value? (hint 1)
 margins = sp.true
 margins = epsilon < 1  # Is there no gain on the other side? (hint 2)
-# Does the fixed mode decay? Ask what the difference of the coordinates does. (hint 1)
+# Does the fixed mode decay? How does the difference of the coordinates behave? (hint 1)
 margins = sp.Or(sp.Ne(epsilon, 1), mu <= 1)
-# Does a constant gain serve for large values of the parameter, too? (hint 1)
+# Does a constant gain stabilise for large values of the parameter, too? (hint 1)
 gain = sp.Matrix([[-3, 2]])
-# Does a constant gain serve for small values of the parameter, too? (hint 1)
+# Does a constant gain stabilise for small values of the parameter, too? (hint 1)
 gain = sp.Matrix([[-1, 0]])
-gain = sp.Matrix([[3 - epsilon, epsilon - 2]])  # Which sign has the feedback in the statement?
+gain = sp.Matrix([[3 - epsilon, epsilon - 2]])  # What is the sign of the feedback in the statement?
 gain = []  # Is the pair not controllable elsewhere?
-# Which sign has the last coefficient with this gain? (hint 1)
+# What is the sign of the last coefficient with this gain? (hint 1)
 gain = sp.Matrix([[-2 - epsilon, epsilon]])
-# Which sign has the feedback in the statement?
+# What is the sign of the feedback in the statement?
 prescribed = sp.Matrix([[gamma1 + 1 + gamma2 / (1 - epsilon), -1 - gamma2 / (1 - epsilon)]])
-# Which gains stand in the last coefficient? (hint 1)
+# Which gains appear in the last coefficient? (hint 1)
 prescribed = sp.Matrix([[1 - gamma1 - gamma2 / (1 - epsilon), gamma2 / (1 - epsilon)]])
 # Do both gains enter the trace? (hint 1)
 prescribed = sp.Matrix([[-gamma1, 1 + gamma2 / (1 - epsilon)]])
 region = (k1 + k2 < 0) & (k2 > 1)  # What changes when the other factor is negative? (hint 2)
-# What stands on the diagonal of the closed loop? (hint 1)
+# What is on the diagonal of the closed-loop matrix? (hint 1)
 region = (k1 < 0) & ((1 - epsilon) * (k2 - 1) > 0)
 region = k1 + k2 < 0  # Can one root be positive while the sum is negative? (hint 1)
 # Was a term of the determinant lost? Multiply it out once more. (hint 1)

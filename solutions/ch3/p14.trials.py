@@ -2,9 +2,9 @@
 a_gain = sp.Matrix([[-27, -8, -8]])  # Is $k_2$ the difference or the sum?
 a_gain = sp.Matrix([[0, -3, -3]])  # Does the first coordinate not grow, too?
 a_gain = []  # How many chains has each eigenvalue?
-a_gain = sp.Matrix([[27, 0, 8]])  # Which sign has the feedback in the statement?
+a_gain = sp.Matrix([[27, 0, 8]])  # What is the sign of the feedback in the statement?
 a_prescribed = sp.Matrix([[-gamma3, -gamma2, -gamma1]])  # Is the system a chain of integrators?
-# Which sign has the feedback in the statement?
+# What is the sign of the feedback in the statement?
 psi1, psi2 = 1 + gamma1 + gamma2 + gamma3, 8 + 4 * gamma1 + 2 * gamma2 + gamma3
 a_prescribed = sp.Matrix([[psi2, 12 + 4 * gamma1 + gamma2 - psi2, psi1]])
 b_gain = sp.Matrix([[-27, -8, -20]])  # What does $\psi(1)$ have to be?
@@ -16,15 +16,15 @@ psi1, psi2 = 1 + gamma1 + gamma2 + gamma3, 8 + 4 * gamma1 + 2 * gamma2 + gamma3
 b_prescribed = sp.Matrix([[-psi2, psi2 - 12 - 4 * gamma1 - gamma2, -psi1]])
 c_gain = sp.Matrix([[-2, 0]])  # Which of the two coordinates grows?
 c_gain = []  # Does the uncontrollable coordinate not decay?
-c_region = (k1 < 1) & (k2 < -1)  # Does the first gain stand in the characteristic polynomial?
+c_region = (k1 < 1) & (k2 < -1)  # Does the first gain appear in the characteristic polynomial?
 c_region = k2 < 0  # How fast does $x_2$ grow by itself?
-c_region = k2 < -2  # Is the best margin asked for?
+c_region = k2 < -2  # Is the question about the greatest margin?
 c_margins = sp.true  # And the other root: does the gain move it, too?
 c_margins = mu < 1  # Does the definition of a margin exclude equality?
 c_margins = sp.false  # Which equation does the control enter?
 c_lost = []  # What is the rank of W?
 c_lost = [[0, 1]]  # Which coordinate does the control leave alone?
-c_lost = [[2, -1]]  # Is a row not asked for?
+c_lost = [[2, -1]]  # Is this a row with $wb = 0$, or an eigenvector of the matrix?
 
 # %% right
 a_gain = [-64, 16, -27]  # three roots -2

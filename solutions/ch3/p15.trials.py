@@ -1,13 +1,13 @@
 # %% wrong
-controllable = sp.true  # Can the robot get to any place at the speed zero?
-controllable = sp.Ne(V0, 0) & sp.Ne(k0, 0)  # Does a point on the wheels' axis not drive aside?
+controllable = sp.true  # Can the robot reach every position at zero speed?
+controllable = sp.Ne(V0, 0) & sp.Ne(k0, 0)  # Can a point on the wheel axis not move sideways?
 controllable = V0 > 0  # Does the sign of the determinant matter?
-# Left of the track, which way has the robot to turn?
+# Left of the track, which way does the robot have to turn?
 gain = sp.Matrix([[1, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - 1]])
 gain = sp.Matrix([[-1, -1]])  # What if the robot is fast, or $k_0$ short?
 gain = sp.Matrix([[-1, k1 + k2 * V0 - 1]])  # What does the second Hurwitz minor require?
-gain = []  # Do the consequences of the angle not show in y?
-# Has the measured point to be ahead of the axis?
+gain = []  # Does the angle have no effect on y?
+# Does the measured point have to be ahead of the axis?
 general = (V0 * k_eps < 0) & (k_omega < k1 + k2 * V0 - k1 * V0 / (k3 * k0))
 # Are positive coefficients enough for a cubic?
 general = (k0 * V0 > 0) & (V0 * k_eps < 0) & (k_omega < k1 + k2 * V0)
@@ -17,7 +17,7 @@ general = (k0 > 0) & (V0 > 0) & (k_eps < 0) & (k_omega < k1 + k2 * V0 - k1 * V0 
 region = (k_eps < 0) & (k_omega < 1 - 3 * V0 / 10)
 # Are positive coefficients enough for a cubic?
 region = (V0 > 0) & (k_eps < 0) & (k_omega < 1 + V0 / 5)
-# Which sign has the last coefficient?
+# What is the sign of the last coefficient?
 region = (V0 > 0) & (k_eps > 0) & (k_omega < 1 - 3 * V0 / 10)
 region = (V0 > 0) & (k_eps < 0) & (k_omega < 0)  # How much damping does the speed require?
 

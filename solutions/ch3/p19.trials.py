@@ -2,26 +2,26 @@
 # Is the system in canonical form already, with nothing of its own to cancel?
 control = sp.Matrix([[-b3, -b2, -b1]])
 control = -control  # Is the feedback taken with a minus sign, $u = -Kx$?
-# Has the polynomial of the system itself been taken off?
+# Has the polynomial of the system itself been subtracted?
 control = control - control.subs({b1: 0, b2: 0, b3: 0})
-# In which order do the coefficients of the polynomial stand?
+# What is the order of the coefficients of the polynomial?
 control = control.subs({b1: b3, b3: b1}, simultaneous=True)
 correction = sp.Matrix([g1, g2, g3])  # Are these the numbers for a system in canonical form?
 # Does the correction enter the equations of the errors as + LH?
 correction = -correction
 # Has one power of the matrix been forgotten, that of the leading term?
 correction = correction - correction.subs({g1: 0, g2: 0, g3: 0})
-# Try the roots of A - LH; is there a slip in one sign?
+# Check the roots of A - LH; is one sign wrong?
 gains = [gains[0], sp.diag(1, 1, -1) * gains[1]]
-# A feedback that is fast enough; how fast does the estimate become right?
+# The feedback is fast enough; how fast does the estimate converge?
 slow = {g1: sp.Rational(3, 4), g2: sp.Rational(3, 16), g3: sp.Rational(1, 64)}
 gains = [gains[0], correction.subs(slow)]
-# Friction alone: what do the other two coefficients need?
+# This is friction alone; what do the other two coefficients need?
 gains = [sp.Matrix([[0, -A[1, 1] - 1, 0]]), gains[1]]
 gains = [-gains[0], gains[1]]  # Is the feedback taken with a minus sign, $u = -Ke$?
 # Does the copy contain the control of the plant?
 equations = [rate.subs(u, 0) for rate in equations]
-# What would the copy measure: the first coordinate alone?
+# What is the output of the copy: the first coordinate alone?
 equations = list(A * sp.Matrix(estimates) + B * u + gains[1] * (z - e1))
 # Is the correction of one line enough? Look at the roots of the errors.
 novelty = z - (H * sp.Matrix(estimates))[0]
