@@ -1,11 +1,11 @@
 # %% wrong
-a_control = sp.Matrix([[-b2, -b1]])  # Has what the plant itself brings along been cancelled?
+a_control = sp.Matrix([[-b2, -b1]])  # Have the plant's own coefficients been cancelled?
 a_control = -a_control  # Is the feedback taken with a minus sign, $u = -Kx$?
 # Which of the two numbers is multiplied by x, and which by its rate?
 a_control = sp.Matrix([[a_control[1], a_control[0]]])
-# The product of the roots holds both numbers. Is the second one complete?
+# The product of the roots contains both numbers. Is the second one complete?
 a_correction = sp.Matrix([a_correction[0], g2 + acceleration_a[0]])
-# Are these the numbers for a plant without roots of its own?
+# Are these the numbers for a plant with zero coefficients?
 a_correction = sp.Matrix([g1, g2])
 # Does the correction enter the equation of the errors as + LH?
 a_correction = -a_correction
@@ -14,7 +14,7 @@ b_margins = sp.true
 b_margins = sp.false  # Something is hidden. Does it grow or decay?
 # Look at the end of your interval: can the slowest root be as fast as that?
 b_margins = mu < weight_b
-# Which of the two roots is the one that stays?
+# Which of the two roots is the fixed one?
 b_margins = mu <= acceleration_a[1] + weight_b
 # Put it into $A - LH$: where is the second root for $\gamma = 1$?
 b_correction = sp.Matrix([g, 0])
@@ -23,25 +23,25 @@ b_correction = a_correction.subs({g1: g + weight_b, g2: g * weight_b})
 # In which combination do the two numbers enter the polynomial?
 b_correction = sp.Matrix([1, 1]) * (g + acceleration_a[1] + weight_b)
 c_margins = mu <= 1  # The exponential that is not shown: is it a motion of this plant?
-# A zero of the measurement is no hidden motion. Compare it with the roots of the equation.
+# A zero of the measurement is not a hidden motion. Compare it with the roots of the equation.
 c_margins = sp.false
-# Which sign has the friction that the plant has already?
+# What is the sign of the plant's own friction?
 c_control = sp.Matrix([[c_control[0], acceleration_c[1] - b1]])
-# Which sign has the stiffness that the plant has already?
+# What is the sign of the plant's own stiffness?
 c_control = sp.Matrix([[acceleration_c[0] - b2, c_control[1]]])
-# The sum and the difference of two numbers, and then?
+# These are the sum and the difference; what are the two numbers?
 c_correction = 2 * c_correction
 # Are these the numbers themselves, or their difference and their sum?
 c_correction = sp.Matrix([g1 + acceleration_c[1], g2 + acceleration_c[0]])
 # Does the plant move like the exponential that the measurement does not show?
 d_margins = sp.false
 d_margins = mu <= weight_d  # Is a zero of the measurement a root that no gain can move?
-# Which sign has the friction that the plant has already?
+# What is the sign of the plant's own friction?
 d_control = sp.Matrix([[d_control[0], acceleration_d[1] - b1]])
 d_control = -d_control  # Is the feedback taken with a minus sign, $u = -Kx$?
-# Is the right-hand side divided by what stands before $l_1$ and $l_2$?
+# Were the factors of $l_1$ and $l_2$ taken into account?
 d_correction = weight_d**2 * d_correction
-# The sum of the roots holds both numbers. Is the first one complete?
+# The sum of the roots contains both numbers. Is the first one complete?
 d_correction = sp.Matrix([g1 / weight_d, d_correction[1]])
 
 # %% right

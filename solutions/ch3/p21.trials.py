@@ -1,9 +1,9 @@
 # %% wrong
-# With what does the last equation hold the derivative of u: was it dropped? (hint 1)
+# Does the last equation contain a derivative of u that was dropped? (hint 1)
 system = [system[0], sp.Matrix([0, 0, weight]), *system[2:]]
-# Is the new state variable the second derivative plus the control, or less the control? (hint 1)
+# Is the new state variable the second derivative plus the control, or minus the control? (hint 1)
 system = [system[0], sp.Matrix([0, -1, a2 + weight]), *system[2:]]
-# What does the number before the second derivative make of the control that was added to it? (hint 1)
+# The second derivative has a coefficient. What becomes of the control added to it? (hint 1)
 system = [system[0], sp.Matrix([0, 1, weight]), *system[2:]]
 # Can all three initial values of x be chosen in this form, or only two? (hint 2)
 system = [
@@ -23,23 +23,23 @@ system = [
 system = [*system[:3], sp.Matrix([[1, weight, 0]])]
 # Were the signs on the left-hand side kept when the terms changed sides?
 system = [sp.Matrix([[0, 1, 0], [0, 0, 1], coefficients]), *system[1:]]
-margins = sp.true  # Was something cancelled on the way? (hint 2)
-# Is this what the system has without any feedback?
+margins = sp.true  # Was a common factor cancelled? (hint 2)
+# Is this the margin without any feedback?
 margins = mu <= -sp.real_roots(equation.left)[2]
 # Look at the end of your interval: may all roots be as slow as that one?
 margins = mu < weight
-margins = sp.false  # Something is lost. Does it grow or decay?
-# Which of the three roots is the one that stays? (hint 1)
+margins = sp.false  # One mode is fixed. Does it grow or decay?
+# Which of the three roots is the fixed one? (hint 1)
 margins = mu <= -sp.real_roots(equation.left)[1]
-gains = [*system, -gains[4], gains[5]]  # Which sign has $K$ in $u = Ke$? (hint 1)
-gains = [*system, gains[4], -gains[5]]  # Which sign has L in the observer? (hint 2)
+gains = [*system, -gains[4], gains[5]]  # What is the sign of $K$ in $u = Ke$? (hint 1)
+gains = [*system, gains[4], -gains[5]]  # What is the sign of L in the observer? (hint 2)
 # Is the loop faster than without a control? (hint 1)
 gains = [*system, sp.zeros(1, 3), gains[5]]
 gains = [*gains[:5], sp.zeros(3, 1)]  # How do the errors decay without a correction? (hint 2)
 # Were these computed for an equation without a derivative of u?
 prescribed = [weight**3, 3 * weight**2, 3 * weight]
 gains = [*system, (sp.Matrix([coefficients]) - sp.Matrix([prescribed])) / weight, gains[5]]
-# Does this form hold the derivative of u?
+# Does this form contain the derivative of u?
 prescribed = [weight**3, 3 * weight**2, 3 * weight]
 gains = [
     system[0],
@@ -54,7 +54,7 @@ static_region = k > -sp.Rational(a0, weight**2)
 static_region = k < a2 - weight
 # What is the root at the end of your interval?
 static_region = k <= sp.Rational(a0, weight**2)
-# What was put into the place of the control, x or z? (hint 1)
+# What was substituted for the control, x or z? (hint 1)
 static_region = k < sp.Rational(a0, weight)
 
 # %% right
@@ -73,7 +73,7 @@ system = [
 # other units
 system = [system[0], 10.0 * system[1], system[2] / 10.0, system[3] / 10.0]
 margins = sp.And(mu > 0, mu - weight <= 0)  # in another form
-# faster roots beside the one that stays
+# faster roots beside the fixed one
 first = sp.Rational(a0, weight) - (weight + 1) * (weight + 2)
 second = 2 * weight + 1 - a2
 gains = [
@@ -102,14 +102,14 @@ coefficients, weight = [
 ]
 misprint = (
     r"(The book prints $\ddot x + 6\dot x + 11x + 6x$ "
-    "and calls the equation one of the third order.)"
+    "but calls this a third-order equation.)"
 )
 shown = [
     r"\dddot x + «coefficients[2]»\ddot x + «coefficients[1]»\dot x + «coefficients[0]»x "
     r"= \dot u + «weight»u, "
     r"\qquad z = «weight»x + \dot x",
     r"$\dot u + «weight»u$",
-    "Which margin can be had?«'\\n\\n' + misprint if weight == 3 else ''»",
+    "Which margin is possible?«'\\n\\n' + misprint if weight == 3 else ''»",
 ]
 product, total = sp.Rational(a0, weight), a2 - weight  # of the roots that are left
 system = [

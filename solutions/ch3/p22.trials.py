@@ -1,34 +1,34 @@
 # %% wrong
 a_margins = sp.true  # Does the measurement show the motion along (1, -2)?
-a_margins = sp.false  # Is what is hidden a growing motion?
-# Which sign has the product of the roots of the errors?
+a_margins = sp.false  # Does the hidden motion grow?
+# What is the sign of the product of the roots of the errors?
 a_gains = [sp.Matrix([[-4, -2]]), sp.Matrix([4, 1, 4])]
 # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [sp.Matrix([[4, 2]]), sp.Matrix([4, 1, -4])]
-# Can an estimate of r that is never corrected become right?
+# Can an estimate of r that is never corrected converge?
 a_gains = [sp.Matrix([[-4, -2]]), sp.Matrix([4, 1, 0])]
 # Is anything fixed here? Look at both eigenvectors, from the side of u and from the side of z.
 b_margins = mu <= 1
 b_margins = mu <= 2  # Does this measurement hide the motion with the root -2?
 # What is the polynomial of the errors at zero?
 b_gains = [sp.Matrix([[-3, 2]]), sp.Matrix([6, 3, 4])]
-# Which number of the control belongs to which coordinate?
+# Which gain belongs to which coordinate?
 b_gains = [sp.Matrix([[2, -3]]), sp.Matrix([6, 3, -4])]
-c_margins = mu <= 1  # Which of the two roots belongs to the motion that is not shown?
+c_margins = mu <= 1  # Which of the two roots belongs to the unobservable motion?
 c_margins = sp.true  # Put the two eigenvectors into $2x_1 - x_2$.
 # In which combination do the first two numbers enter here?
 c_gains = [sp.Matrix([[-3, 2]]), sp.Matrix([0, 9, -4])]
 # Is the feedback taken with a minus sign, $u = -Ke$?
 c_gains = [sp.Matrix([[3, -2]]), sp.Matrix([4, -1, -4])]
-d_margins = sp.false  # Is it the growing motion that is not shown?
+d_margins = sp.false  # Is the unobservable motion the growing one?
 d_margins = mu <= 2  # Which root belongs to the vector (1, 1)?
 # With which sign does the second number enter?
 d_gains = [sp.Matrix([[-2, 2]]), sp.Matrix([0, 9, -4])]
 # Look at the product of the roots of the regulator.
 d_gains = [sp.Matrix([[-2, 4]]), sp.Matrix([9, 0, -4])]
-e_margins = sp.true  # Everything is seen. Is everything reached?
+e_margins = sp.true  # Everything is observable. Is everything controllable?
 e_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
-# Where does this control put the root that can be moved?
+# Where does this control place the root that can be moved?
 e_gains = [sp.Matrix([[-2, 0]]), sp.Matrix([11, 10, -4])]
 # What is the polynomial of the errors at zero?
 e_gains = [sp.Matrix([[-3, 0]]), sp.Matrix([11, 10, 4])]

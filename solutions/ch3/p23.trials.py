@@ -3,22 +3,22 @@
 a_augmented = [sp.Matrix([[0, 1, 0], [*acceleration_a, 1], [0, 0, 0]]), sp.Matrix([[weight, 1, 1]])]
 # What is the rate of a constant?
 a_augmented = [sp.diag(A_a, 1), sp.Matrix([[weight, 1, 1]])]
-# Where does the error enter, if the measurement does not hold it?
+# Where does the error enter, if the measurement does not contain it?
 a_augmented = [sp.diag(A_a, 0), sp.Matrix([[weight, 1, 0]])]
 # Is the third coordinate here $r$ itself, or twice as much?
 a_augmented = [sp.diag(A_a, 0), sp.Matrix([[weight, 1, sp.Rational(1, 2)]])]
 a_margins = sp.true  # Does the measurement show every motion of the equation?
-a_margins = sp.false  # Something is hidden. Is it the offset, and does what is hidden grow?
+a_margins = sp.false  # There is a hidden motion. Is it the offset, and does it grow?
 # Look at the end of your interval: which root could be slower?
 a_margins = mu < weight
-# Try the roots of the errors: what does the sign of $l_3$ do?
+# Compute the roots of the errors: what is the effect of the sign of $l_3$?
 a_gains = [a_gains[0], sp.diag(1, 1, -1) * a_gains[1]]
-# Can an estimate that is never corrected become right?
+# Can an estimate that is never corrected converge?
 a_gains = [a_gains[0], sp.diag(1, 1, 0) * a_gains[1]]
 a_gains = [-a_gains[0], a_gains[1]]  # Is the feedback taken with a minus sign, $u = -Ke$?
-# What is left of the stiffness with this control?
+# How large is the stiffness with this control?
 a_gains = [a_gains[0] + sp.Matrix([[1, 0]]), a_gains[1]]
-# Stable; is it fast enough?
+# It is stable; is it fast enough?
 growing = acceleration_a[1] + weight
 last = -sp.Rational(1, 2 * growing)
 a_gains = [a_gains[0], sp.Matrix([(growing + sp.Rational(1, 2) - last) / weight, 0, last])]
@@ -26,10 +26,10 @@ a_gains = [a_gains[0], sp.Matrix([(growing + sp.Rational(1, 2) - last) / weight,
 b_augmented = [sp.Matrix([[0, 1, 0], [*acceleration_b, 1], [0, 0, 0]]), sp.Matrix([[weight, 1, 1]])]
 # Which coefficient is that of x?
 b_augmented = [sp.diag(sp.Matrix([[0, 1], acceleration_b[::-1]]), 0), sp.Matrix([[weight, 1, 1]])]
-# Which of the two roots of the equation belongs to the motion that is not shown?
+# Which of the two roots of the equation belongs to the unobservable motion?
 b_margins = mu <= acceleration_b[1] + weight
 b_margins = sp.false  # Is the hidden motion the growing one?
-# Which sign has the product of the roots of the errors?
+# What is the sign of the product of the roots of the errors?
 b_gains = [b_gains[0], sp.diag(1, 1, -1) * b_gains[1]]
 # Is this the control of item a? Look at the friction here.
 b_gains = [a_gains[0], b_gains[1]]

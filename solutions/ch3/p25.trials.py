@@ -1,16 +1,16 @@
 # %% wrong
 # Which of the two coordinates does the control drive, the first?
 a_control_split = sp.Matrix.hstack(sp.Matrix([-H_a[1], H_a[0]]), B_a)
-a_control_split = sp.eye(2)  # Do both of the old coordinates feel the control?
+a_control_split = sp.eye(2)  # Does the control act on both of the old coordinates?
 # Can the old coordinates be found from these two?
 a_control_split = sp.Matrix.hstack(B_a, B_a)
 # Is this the matrix that leads to the new coordinates, or back?
 a_observation_split = sp.Matrix.hstack(B_a, sp.Matrix([-H_a[1], H_a[0]]))
 # Which coordinate does the measurement show, the first?
 a_observation_split = sp.Matrix([[B_a[1], -B_a[0]], list(H_a)])
-a_observation_split = sp.eye(2)  # Does the measurement hold one of the old coordinates alone?
-a_margins = sp.true  # One root stays where it is. Which one?
-a_margins = sp.false  # Is it the growing motion that is left to itself?
+a_observation_split = sp.eye(2)  # Does the measurement contain only one of the old coordinates?
+a_margins = sp.true  # One root is fixed. Which one?
+a_margins = sp.false  # Is the growing motion the fixed one?
 # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [-a_gains[0], a_gains[1]]
 # In which direction does this correction move the error?
@@ -22,7 +22,7 @@ a_gains = [sp.Matrix([[K[0], -K[0] * B_a[0] / B_a[1]]]), L]
 b_control_split = sp.Matrix.hstack(sp.Matrix([-H_b[1], H_b[0]]), B_b)
 # Is this a row that measures, or a vector that is not shown?
 b_observation_split = sp.Matrix([[-H_b[1], H_b[0]], [1, 0]])
-b_margins = a_margins  # Is the root that stays that of item a?
+b_margins = a_margins  # Is the fixed root that of item a?
 # In which combination do the two numbers enter?
 K, L = b_gains
 b_gains = [sp.Matrix([[K[0], -K[0] * B_b[0] / B_b[1]]]), L]
@@ -32,7 +32,7 @@ b_gains = [b_gains[0], -b_gains[1]]
 c_control_split = sp.Matrix([[B_c[0], -H_c[1]], [-B_c[1], H_c[0]]])
 # Mind the sign in the measurement.
 c_observation_split = sp.Matrix([[H_c[0], -H_c[1]], [1, 0]])
-c_margins = sp.false  # The growing motion has the root 2. Is it left to itself?
+c_margins = sp.false  # The growing motion has the root 2. Is it the fixed one?
 # Here the root to be moved is 2. Is the correction enough?
 root = (A_c * B_c)[0] / B_c[0]
 K, L = c_gains
@@ -50,7 +50,7 @@ d_margins = mu < slow
 # In which combination do the two numbers enter?
 K, L = d_gains
 d_gains = [sp.Matrix([[K[0], -K[0] * B_d[0] / B_d[1]]]), L]
-# What does H make of this column?
+# What is H times this column?
 d_gains = [d_gains[0], sp.Matrix([H_d[1], -H_d[0]])]
 
 # %% right

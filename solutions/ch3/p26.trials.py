@@ -9,7 +9,7 @@ a_control_split = sp.Matrix([[1, 0, 0], [0, 0, 1], [-1, 1, 0]])
 a_control_split = sp.Matrix([[1, 0, 1], [0, 1, 1], [-1, 0, -1]])
 # Is this the matrix that leads to the new coordinates, or back?
 a_observation_split = sp.Matrix([[1, 0, -7], [0, 1, 1], [-1, 0, 10]])
-# Does the rate of the first two coordinates hold the third one?
+# Do the rates of the first two coordinates contain the third one?
 a_observation_split = sp.Matrix([[0, 4, -sp.Rational(2, 5)], [1, 0, 0], [0, 0, 1]])
 # Add the first and the last equation: can anything change the root of this combination?
 a_margins = sp.true
@@ -18,16 +18,16 @@ a_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
 a_gains = [sp.Matrix([[5, 17, 0]]), sp.Matrix([5, 3, -5]) / 2]
 # Which number belongs to which coordinate?
 a_gains = [sp.Matrix([[-17, -5, 0]]), sp.Matrix([5, 3, -5]) / 2]
-# Does this correction pull towards the measurement?
+# Does this correction drive the estimate towards the measurement?
 a_gains = [sp.Matrix([[-5, -17, 0]]), -sp.Matrix([5, 3, -5]) / 2]
 # Which coordinates are to come first?
 b_control_split = sp.Matrix([[2, 1, 0], [-3, 1, 1], [7, -1, 0]])
-# Does the control push along the first column?
+# Does the control act along the first column?
 b_control_split = sp.Matrix([[1, 0, 2], [0, 1, -3], [1, 0, 7]])
 # Is this the matrix that leads to the new coordinates, or back?
 b_observation_split = sp.Matrix([[1, 0, 2], [1, 1, -3], [-1, 0, 7]])
-b_margins = mu <= 1  # Is the combination that is left alone as slow as that of item a?
-b_margins = sp.false  # What is left to itself: does it grow?
+b_margins = mu <= 1  # Is the uncontrollable combination as slow as that of item a?
+b_margins = sp.false  # Does the uncontrollable mode grow?
 # Are these numbers for the new coordinates, or the old?
 b_gains = [sp.Matrix([[-7, -19, 0]]), sp.Matrix([0, 1, 0])]
 # What are the roots of the errors with this correction?
