@@ -1,6 +1,6 @@
 # %% wrong
 a_zero = h > 0  # Does it matter whether the satellites are above or below the origin? (hint 2)
-a_zero = sp.true  # Are three vectors always independent, whatever the height? (hint 2)
+a_zero = sp.true  # Are the three vectors independent for every height? (hint 2)
 b_fixes = [(2 - sp.sqrt(3 * q - 8)) / 3]  # In how many points do three spheres meet?
 # How many components of the difference are squared? (hint 1)
 b_fixes = [(2 + sign * sp.sqrt(3 * q - 4)) / 3 for sign in (1, -1)]
@@ -20,9 +20,9 @@ d_slope = -4 * e4 * sum(c**2 for c in x)  # Are the first three residuals zero? 
 d_slope = 2 * (3 * p - 1) * e4 * sum(c**2 for c in x)
 e_sum = sp.Rational(25, 144)  # Is this one square or all of them?
 e_sum = sp.Rational(49, 4)  # Are both roots equally good? (hint 2)
-e_least = sp.Integer(0)  # Can four spheres with an error have a point in common?
+e_least = sp.Integer(0)  # Do four spheres with an error have a common point?
 e_least = sp.Rational(25, 36)  # Is the gradient zero at the algebraic estimate? (hint 1)
-e_least = sp.Rational(1, 4)  # Is this at the true place?
+e_least = sp.Rational(1, 4)  # Is this the value at the true position?
 
 # %% right
 a_zero = sp.Ne(h**2, 0)  # by the determinant of G

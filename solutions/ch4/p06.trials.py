@@ -1,5 +1,5 @@
 # %% wrong
-covariance = -6  # Do all three components vary independently of each other? (hint 1)
+covariance = -6  # Are all three components uncorrelated? (hint 1)
 # How many products of $x_1$ and $x_2$ are there, and with which signs? (hint 1)
 covariance = -7
 covariance = sp.Rational(13, 2)  # Was the minus in the second sum lost? (hint 1)

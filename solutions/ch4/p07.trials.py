@@ -3,7 +3,7 @@ covariance = -covariance  # With which signs does the common term enter? (hint 2
 covariance = 0  # Are the sums independent because their terms are? (hint 2)
 # Is a mean meant here, or the mean of a product of deviations? (hint 1)
 covariance = first[0] * second[0] * means[0] ** 2 + covariance
-# Is it the variances that stand below, or their roots? (hint 1)
+# Does the denominator contain the variances, or their square roots? (hint 1)
 correlation = correlation**2 / covariance
 # Was every coefficient squared? (hint 2)
 own = [abs(w) * s**2 for w, s in zip(first + second, [*sigma[:3], sigma[0], sigma[3]])]

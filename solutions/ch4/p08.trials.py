@@ -6,7 +6,8 @@ means = [0, sp.Rational(2, 3), 0, sp.Rational(2, 3)]
 covariance = plus - minus  # Is this the mean of the product alone? (hint 1)
 covariance = 0  # Uncorrelated by symmetry? Are the values 1 and -1 equally likely? (hint 2)
 correlation = 1  # One determines the other; is that what the coefficient measures? (hint 1)
-correlation = correlation**2  # Is it the variances that stand below, or their roots? (hint 1)
+# Does the denominator contain the variances, or their square roots? (hint 1)
+correlation = correlation**2
 correlation = covariance / means[1]  # Are means of squares the variances? (hint 2)
 
 # %% right

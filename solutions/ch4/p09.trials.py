@@ -1,11 +1,11 @@
 # %% wrong
-# Do $x_1$ and $x_2$ vary independently of each other? (hint 2)
+# Are $x_1$ and $x_2$ uncorrelated? (hint 2)
 covariance = sum(a * b * v for a, b, v in zip(first, second, variances))
 # How many products of $x_1$ and $x_2$ are there, and with which signs? (hint 2)
 covariance = covariance - first[1] * second[0] * joint
-# Which sign has $x_3$ in the second sum? (hint 2)
+# What is the sign of $x_3$ in the second sum? (hint 2)
 covariance = covariance - 2 * first[2] * second[2] * variances[2]
-# Do the variances of $x_1$ and $x_2$ alone make the variance of a sum in which both stand? (hint 2)
+# Is the variance of a sum of $x_1$ and $x_2$ determined by their variances alone? (hint 2)
 products = sp.diag(first[0] * first[1], second[0] * second[1])
 matrix = matrix - 2 * joint * products
 matrix = matrix - 2 * sp.Matrix(
