@@ -6,10 +6,10 @@ estimate = [(z1 + z2) / 2, (z1 - z2) / 2]
 lines = [sp.Eq(quantity, reading) for quantity, reading in measured]
 crossings = [sp.solve(pair, unknowns) for pair in (lines[:2], lines[1:], lines[::2])]
 estimate = [sum(crossing[x] for crossing in crossings) / 3 for x in unknowns]
-# Have the two components changed places? (hint 1)
+# Were the two components interchanged? (hint 1)
 estimate = estimate[::-1]
 least = 0  # Is there a point on all three lines?
-# Is it the length of the residual that was asked, or its square?
+# Is the question about the length of the residual, or its square?
 least = sp.sqrt(least)
 # Were the residuals taken at the crossing of two lines? (hint 1)
 z1, z2, z3 = map(sp.Integer, readings)

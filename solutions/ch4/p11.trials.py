@@ -1,13 +1,13 @@
 # %% wrong
-estimate = estimate[::-1]  # Have height and slope changed places? (hint 1)
+estimate = estimate[::-1]  # Were height and slope interchanged? (hint 1)
 # Is this the height in the middle of the times? Where does the line start? (hint 2)
 estimate = [sum(estimate), estimate[1]]
 # Does the line have to pass through the first point? (hint 1)
 estimate = [readings[0], estimate[1]]
-# Does the sum of squares look at the first point too? (hint 1)
+# Does the sum of squares include the first point? (hint 1)
 slope = readings[2] - readings[1]
 estimate = [readings[1] - slope, slope]
-first_two = [first_two[0], -first_two[1]]  # Which way does the line go? (hint 1)
+first_two = [first_two[0], -first_two[1]]  # Does the line rise or fall? (hint 1)
 first_two = estimate  # Is this the estimate with the third measurement? (hint 1)
 
 # %% right

@@ -2,19 +2,19 @@
 # Is this the line through the first and the last point? (hint 1)
 slope = sp.Rational(readings[-1] - readings[0], times[-1] - times[0])
 estimate = [readings[0] - slope * times[0], slope]
-estimate = estimate[::-1]  # Have height and slope changed places?
+estimate = estimate[::-1]  # Were height and slope interchanged?
 # Were the times taken as 0, 1, 2, 3? (hint 1)
 slope = sp.Rational(sum((2 * k - 3) * z for k, z in enumerate(readings)), 10)
 estimate = [sp.Rational(sum(readings), 4) - 3 * slope / 2, slope]
 # Is this the height in the middle of the times? (hint 1)
 estimate = [sp.Rational(sum(readings), 4), estimate[1]]
-# Is this what the trend explains, or what it leaves? (hint 1)
+# Is this the part explained by the trend, or the rest? (hint 1)
 middle = sp.Rational(sum(readings), 4)
 least = sum((z - middle) ** 2 for z in readings) - least
-# Is this the sum before a trend was taken off? (hint 1)
+# Is this the sum before the trend was subtracted? (hint 1)
 middle = sp.Rational(sum(readings), 4)
 least = sum((z - middle) ** 2 for z in readings)
-least = sp.sqrt(least)  # Is it the length of the residual that was asked, or its square?
+least = sp.sqrt(least)  # Is the question about the length of the residual, or its square?
 
 # %% right
 # from the means

@@ -4,14 +4,14 @@ slope = sp.Rational(readings[-1] - readings[0], times[-1] - times[0])
 estimate = [readings[0] - slope * times[0], slope]
 # Is this the height in the middle of the times? (hint 2)
 estimate = [sp.Rational(sum(readings), 4), estimate[1]]
-# Was a sign lost on the way from the middle to $t = 0$? (hint 2)
+# Was a sign lost between the middle and $t = 0$? (hint 2)
 estimate = [-estimate[0], estimate[1]]
 # Is this the matrix of the normal equations itself? (hint 1)
 covariance = covariance.inv()
 # Is the inverse of a matrix that of its entries? (hint 1)
 normal = covariance.inv()
 covariance = sp.diag(1 / normal[0, 0], 1 / normal[1, 1])
-# Which sign have the entries beside the diagonal in an inverse? (hint 1)
+# What is the sign of the off-diagonal entries of the inverse? (hint 1)
 covariance = covariance.applyfunc(abs)
 
 # %% right

@@ -1,7 +1,7 @@
 # %% wrong
 # Where does the line through the three points start? (hint 1)
 estimate = [readings[0], estimate[1]]
-estimate = estimate[::-1]  # Have height and slope changed places? (hint 1)
+estimate = estimate[::-1]  # Were height and slope interchanged? (hint 1)
 # Were the weights left out? (hint 1)
 rows = sp.Matrix([[1, 1], [1, 2], [1, 3]])
 covariance = (rows.T * rows).inv()

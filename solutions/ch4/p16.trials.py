@@ -1,9 +1,9 @@
 # %% wrong
-# Which way round does the state turn? (hint 2)
+# In which direction does the state rotate? (hint 2)
 mean = [mu1 * sp.cos(t) - mu2 * sp.sin(t), mu1 * sp.sin(t) + mu2 * sp.cos(t)]
-mean = [mu1 * sp.cos(t) + mu2 * sp.sin(t), mu2]  # Does the speed stay as it was? (hint 2)
-mean = [mu1, mu2]  # Is the start an equilibrium? (hint 1)
-# Does the start stay as it was? (hint 1)
+mean = [mu1 * sp.cos(t) + mu2 * sp.sin(t), mu2]  # Does the speed remain constant? (hint 2)
+mean = [mu1, mu2]  # Is the initial state an equilibrium? (hint 1)
+# Does the initial covariance remain constant? (hint 1)
 covariance = P0 + Q / 4 * sp.Matrix(
     [[2 * t - sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t + sp.sin(2 * t)]]
 )
@@ -12,13 +12,13 @@ turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
 covariance = turned * P0 * turned.T + Q / 4 * sp.Matrix(
     [[2 * t + sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t - sp.sin(2 * t)]]
 )
-# Do the pushes of the noise turn with the motion, too? (hint 2)
+# Are the effects of the noise rotated with the motion, too? (hint 2)
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
 covariance = turned * P0 * turned.T + sp.diag(0, Q * t)
-# Is there no product of what a push does to x and to its rate? (hint 2)
+# Are the effects of one impulse on x and on its rate uncorrelated? (hint 2)
 turned = sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]])
 covariance = turned * P0 * turned.T + Q / 4 * sp.diag(2 * t - sp.sin(2 * t), 2 * t + sp.sin(2 * t))
-# Which way round does the ellipse turn? (hint 1)
+# In which direction does the ellipse rotate? (hint 1)
 turned = sp.Matrix([[sp.cos(t), -sp.sin(t)], [sp.sin(t), sp.cos(t)]])
 covariance = turned * P0 * turned.T + Q / 4 * sp.Matrix(
     [[2 * t - sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t + sp.sin(2 * t)]]

@@ -1,14 +1,14 @@
 # %% wrong
 limit = 2 * limit  # Does an entry of the noise enter twice? (hint 1)
 limit = limit[0, 0] * sp.eye(2)  # Is the speed as large as the position? (hint 2)
-limit = sp.diag(limit[1, 1], limit[0, 0])  # Have the two coordinates changed places?
-limit = sp.zeros(2)  # The system decays. What does the noise do meanwhile? (hint 1)
+limit = sp.diag(limit[1, 1], limit[0, 0])  # Were the two coordinates interchanged?
+limit = sp.zeros(2)  # The free motion decays. What is the effect of the noise? (hint 1)
 # Is there one exponential only? (hint 1)
 slow = max(process.A.eigenvals())
 motion = limit * (1 - sp.exp(2 * slow * t))
-# Which entries does the push have besides its square? Was the correlation left out? (hint 2)
+# An impulse changes x and its rate. Was their correlation left out? (hint 2)
 motion = sp.diag(motion[0, 0], motion[1, 1])
-motion = limit  # Which value does this matrix have at $t = 0$?
+motion = limit  # What is the value of this matrix at $t = 0$?
 
 # %% right
 # by the matrix exponential
