@@ -1,14 +1,14 @@
 # %% wrong
-# Which sign has the second row of the matrix? (hint 2)
+# What is the sign of the second row of the matrix? (hint 2)
 limit = sp.Matrix([[20, 8], [8, 32]]) / 27
-# Do the two coordinates not act on each other? (hint 2)
+# Are the two coordinates decoupled? (hint 2)
 limit = sp.diag(sp.Rational(4, 3), sp.Rational(4, 3))
-limit = sp.zeros(2)  # The start is forgotten. And the noise? (hint 1)
+limit = sp.zeros(2)  # The influence of the initial state vanishes. And that of the noise? (hint 1)
 exponents = [half]  # Is this the factor of the mean? (hint 1)
-exponents = [1]  # What is constant need not be named. What is not? (hint 1)
+exponents = [1]  # Constant terms are not counted. Which terms are not constant? (hint 1)
 # Does $\Phi$ only halve? (hint 2)
 motion = sp.Matrix([[20, -8], [-8, 32]]) / 27 * (1 - sp.Rational(1, 4) ** k) + start / 4**k
-# Was the difference from the limit carried along, or all of the start? (hint 1)
+# Was the difference from the limit multiplied, or the initial covariance? (hint 1)
 F = sp.Matrix([[1 + k, k], [-k, 1 - k]]) / 2**k
 motion = sp.Matrix([[20, -8], [-8, 32]]) / 27 + F * start * F.T
 

@@ -12,7 +12,7 @@ root = (Q - sp.sqrt(Q**2 + 4 * Q * R)) / 2
 prior = sp.Matrix([[root - Q, root - Q], [root - Q, root]])
 # Is this the equation of continuous time? (hint 1)
 prior = sp.Matrix([[1, 1], [1, 1]]) * sp.sqrt(Q * R)
-# Do the errors of the two coordinates not correlate?
+# Are the errors of the two coordinates uncorrelated?
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 prior = sp.diag(root - Q, root)
 # Is it the matrix before the measurement? (hint 1)
@@ -21,13 +21,13 @@ posterior = sp.Matrix([[root - Q, root - Q], [root - Q, root]])
 # Is a measurement of $x_2$ uncorrelated with the past of $x_2$? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 posterior = sp.diag(root - Q, root - Q)
-# A coordinate that is not measured: does the innovation not help it? (hint 1)
+# Does the innovation not correct a coordinate that is not measured? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 gain = [0, root / (root + R)]
 # Is this the gain of the predictor, $\Phi K$?
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 gain = [root / (root + R), root / (root + R)]
-# Is this what the measurement is given, and not what is left of the error?
+# Is this the weight of the measurement, and not the remaining part of the error?
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 decay = [0, root / (root + R)]
 decay = [0, 1]  # Are these the eigenvalues without a measurement?

@@ -1,5 +1,5 @@
 # %% wrong
-observable = False  # Does the speed of an answer matter, or that it comes? (hint 1)
+observable = False  # Does a delay of the measurement make a state unobservable? (hint 1)
 recursion = sp.Matrix([[p22, p22], [p22, p22 + Q]])  # Was the measurement used? (hint 1)
 # Which coordinate is measured here?
 recursion = p22 * R / (p22 + R) * sp.ones(2, 2) + sp.diag(0, Q)
@@ -21,7 +21,7 @@ gain = [root / (root + R), 0]
 # Is it the first column of the matrix that is divided? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 gain = [root / (root + R), (root + Q) / (root + R)]
-# Is this what the measurement is given, and not what is left of the error?
+# Is this the weight of the measurement, and not the remaining part of the error?
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 decay = [0, root / (root + R)]
 decay = [0, 1]  # Are these the eigenvalues without a measurement?

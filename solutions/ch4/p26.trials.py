@@ -1,5 +1,5 @@
 # %% wrong
-# Is this what one expects before anything is measured? (hint 1)
+# Is this the mean before the measurement? (hint 1)
 estimate = [position + moment * speed, speed]
 # Is the measured position uncorrelated with the speed? (hint 2)
 estimate = [estimate[0], speed]
@@ -9,15 +9,15 @@ estimate = [
     position + moment * speed + (1 + moment**2) * surprise,
     speed + moment * surprise,
 ]
-# In which order do expected and measured value stand?
+# Which is subtracted, the expected value or the measured one?
 estimate = [2 * (position + moment * speed) - estimate[0], 2 * speed - estimate[1]]
 # Is this before the measurement? (hint 1)
 t = sp.Integer(moment)
 covariance = sp.Matrix([[1 + t**2 + t**3 / 3, t + t**2 / 2], [t + t**2 / 2, 1 + t]])
-# Does the variance of the speed stay as it was? (hint 2)
+# Does the variance of the speed remain unchanged? (hint 2)
 p, q, _, _ = covariance
 covariance = sp.Matrix([[p, q], [q, 1 + moment]])
-# Was the noise left out on the way?
+# Was the noise left out of the prediction?
 t = moment
 without = sp.Matrix([[(1 + t**2) * variance, t * variance], [t * variance, 1 + variance]])
 covariance = without / (1 + t**2 + variance)

@@ -1,7 +1,7 @@
 # %% wrong
 estimate = mean * sp.exp(-rate)  # Was anything measured here? (hint 1)
 estimate = reading * sp.exp(-rate)  # Is the measurement without an error? (hint 2)
-# Does the mean stay where it is after the measurement? (hint 1)
+# Is the mean constant after the measurement? (hint 1)
 estimate = mean + sp.Rational(variance, variance + error) * (reading - mean)
 # Is the standard deviation used where the variance belongs? (hint 2)
 spreads = sp.sqrt(variance), sp.sqrt(error)
@@ -9,7 +9,7 @@ estimate = (mean + spreads[0] / sum(spreads) * (reading - mean)) * sp.exp(-rate)
 deviation = deviation**2  # Is this the variance? (hint 2)
 # Is this just after the measurement? (hint 1)
 deviation = sp.sqrt(sp.Rational(variance * error, variance + error))
-# Does noise act on the way? (hint 1)
+# Was the noise after the measurement left out? (hint 1)
 deviation = sp.sqrt(sp.Rational(variance * error, variance + error)) * sp.exp(-rate)
 # Was anything measured here?
 decay = sp.exp(-2 * rate)

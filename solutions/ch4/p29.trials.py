@@ -1,17 +1,17 @@
 # %% wrong
-before = variance * sp.exp(-2 * rate)  # Does noise act on the way?
-# At which rate do variances decay?
+before = variance * sp.exp(-2 * rate)  # Was the noise left out?
+# At what rate do variances decay?
 before = variance * sp.exp(-2 * rate) + intensity * (1 - sp.exp(-2 * rate))
 before = sp.sqrt(variance)  # Is this the standard deviation?
-# Has the mean moved since the start? (hint 2)
+# Has the mean changed since $t = 0$? (hint 2)
 estimate = mean + sp.Rational(variance, variance + error) * (reading - mean)
-# At which time is it measured here? (hint 1)
+# When is the measurement made here? (hint 1)
 estimate = (mean + sp.Rational(variance, variance + error) * (reading - mean)) * sp.exp(-rate)
 estimate = mean * sp.exp(-rate)  # Was anything measured here?
 estimate = reading  # Is the measurement without an error?
 deviation = deviation**2  # Is this the variance? (hint 1)
 deviation = sp.sqrt(variance)  # Is this before the measurement? (hint 1)
-# At which time is it measured here?
+# When is the measurement made here?
 decay = sp.exp(-2 * rate)
 deviation = sp.sqrt(deviation**2 * decay + variance * (1 - decay))
 deviation = sp.sqrt(error)  # Is the measurement the only source of information?
