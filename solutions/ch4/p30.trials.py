@@ -1,21 +1,22 @@
 # %% wrong
 estimate = mean  # Was anything measured here?
 estimate = reading  # Is the measurement without an error?
-# Has the variance stayed as it was at the start? (hint 1)
+# Is the variance before the measurement the initial one? (hint 1)
 estimate = mean + sp.Rational(spread**2, spread**2 + error) * (reading - mean)
-estimate = mean + reading - estimate  # Are the weights of the two pieces of evidence interchanged?
+# Are the weights of the two pieces of information interchanged?
+estimate = mean + reading - estimate
 deviation = deviation**2  # Is this the variance? (hint 1)
 deviation = sp.sqrt(spread**2 + intensity)  # Is this before the measurement? (hint 1)
-# Has the variance stayed as it was at the start?
+# Is the variance before the measurement the initial one?
 deviation = sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
 # Is the later measurement uncorrelated with the initial value? (hint 1)
 start_estimate = mean
-# Is the noise on the way an error for this estimate? (hint 1)
+# Is the noise before $t = 1$ an error for this estimate? (hint 1)
 start_estimate = mean + sp.Rational(spread**2, spread**2 + error) * (reading - mean)
 start_estimate = estimate  # Is this the end of the interval? (hint 1)
 start_deviation = spread  # Is the later measurement uncorrelated with the initial value?
 start_deviation = start_deviation**2  # Is this the variance?
-# Is the noise on the way an error for this estimate? (hint 1)
+# Is the noise before $t = 1$ an error for this estimate? (hint 1)
 start_deviation = sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
 
 # %% right

@@ -1,5 +1,5 @@
 # %% wrong
-before = z1  # Does the value of the time 1 hold for all times before? (hint 2)
+before = z1  # Is the value at the time 1 valid at all times before? (hint 2)
 before = z1 * sp.exp(1 - t)  # What becomes of this long before the first value?
 before = (z1 + z2 + z3) / 3  # Are near and far values equally correlated with x(t)? (hint 1)
 # Does a straight line satisfy the equations for the weights? (hint 2)
@@ -11,7 +11,7 @@ first = (z1 * sp.sinh(t - 1) + z2 * sp.sinh(2 - t)) / sp.sinh(1)  # What does th
 # What does this give at $t = 2$? (hint 1)
 second = (z2 * sp.sinh(2 - t) + z3 * sp.sinh(t - 1)) / sp.sinh(1)
 second = z2 * (3 - t) + z3 * (t - 2)  # Does a straight line satisfy the equations for the weights?
-after = z3  # What is expected of the process long after the last value?
+after = z3  # What is the mean of the process long after the last value?
 after = z3 * sp.exp(t - 3)  # What becomes of this long after the last value?
 # Is $z_2$ more strongly correlated with $x(t)$ than $z_3$? (hint 1)
 after = z1 * sp.exp(1 - t) + z2 * sp.exp(2 - t) + z3 * sp.exp(3 - t)

@@ -1,18 +1,18 @@
 # %% wrong
 estimate = mean * sp.exp(rate)  # Was anything measured here? (hint 1)
 estimate = reading * sp.exp(rate)  # Is the measurement without an error?
-# Does the mean stay where it is after the measurement? (hint 1)
+# Is the mean constant after the measurement? (hint 1)
 estimate = estimate * sp.exp(-rate)
-# Which sign has the rate in the equation of the process?
+# What is the sign of the rate in the equation of the process?
 estimate = estimate * sp.exp(-2 * rate)
 deviation = deviation**2  # Is this the variance?
 # Is this just after the measurement, or does the process decay here? (hint 1)
 deviation = sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
-# Does noise act on the way? (hint 1)
+# Was the noise after $t = 0$ left out? (hint 1)
 deviation = sp.exp(rate) * sp.sqrt(sp.Rational(spread**2 * error, spread**2 + error))
 deviation = blind  # Was anything measured here?
 blind = deviation  # Is a measurement used here? (hint 1)
-blind = spread * sp.exp(rate)  # Does noise act on the way?
+blind = spread * sp.exp(rate)  # Was the noise after $t = 0$ left out?
 blind = blind**2  # Is this the variance?
 
 # %% right

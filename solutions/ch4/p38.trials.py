@@ -1,14 +1,14 @@
 # %% wrong
-# Does an unstable system forbid a filter, if one sees what it does? (hint 1)
+# Does instability rule out a filter, if the system is observable? (hint 1)
 exists = sp.And(a > 0, b > 0)
-# Can every position be found from the speed? Try a body that no spring holds. (hint 2)
+# Can every position be found from the speed? Try a body without a spring. (hint 2)
 exists = sp.true
-exists = sp.Ne(a, 0)  # Is it the friction that makes the position visible? (hint 2)
+exists = sp.Ne(a, 0)  # Is it the friction that makes the position observable? (hint 2)
 # Are both variances of this matrix positive? Try the other root. (hint 2)
 covariance = -R * (sp.sqrt(a**2 + Q / R) + a) * sp.diag(1 / b, 1)
 # Is this the covariance without a measurement?
 covariance = Q / (2 * a) * sp.diag(1 / b, 1)
-# Have the two variances changed places? Which of them does the spring make smaller? (hint 2)
+# Were the two variances interchanged? Which of them does the spring reduce? (hint 2)
 covariance = R * (sp.sqrt(a**2 + Q / R) - a) * sp.diag(1, 1 / b)
 # Does the second equation hold with equal variances? (hint 1)
 covariance = R * (sp.sqrt(a**2 + Q / R) - a) * sp.eye(2)
@@ -18,22 +18,23 @@ gain = [(sp.sqrt(a**2 + Q / R) - a) / b, 0]
 gain = [0, sp.sqrt(a**2 + Q / R)]  # Was the friction of the system itself counted with the gain?
 # With this gain, do the errors decay if b is negative? (hint 1)
 gain_negative = [0, sp.sqrt(a**2 + Q / R) - a]
-# Has the third equation kept the term with b? (hint 2)
+# Does the third equation contain the term with b? (hint 2)
 gain_negative = [2, sp.sqrt(a**2 + Q / R) - a]
-# Which sign has b in the root? It was to be negative. (hint 2)
+# What is the sign of b in the root? Here b is negative. (hint 2)
 gain_negative = [2, sp.sqrt(a**2 + Q / R + 4 * b) - a]
-limit_exists = b > 0  # Does it suffice that the position is held? Try $a = 0$. (hint 1)
+limit_exists = b > 0  # Is a restoring force enough? Try $a = 0$. (hint 1)
 # Does the covariance stay bounded if the position is pushed away from zero? (hint 2)
 limit_exists = a > 0
-# Is this where a filter exists for each R? What happens as R grows? (hint 1)
+# Is this the condition for a filter for each R? What happens as R grows? (hint 1)
 limit_exists = sp.Ne(b, 0)
-limit = sp.zeros(2)  # Are the errors zero if the measurement is worth nothing? (hint 1)
-limit = Q / a * sp.diag(1 / b, 1)  # Where has the two of the expansion gone? (hint 1)
-limit = Q / (2 * a) * sp.diag(1, 1 / b)  # Have the two variances changed places?
-free = Q / (2 * a) * sp.eye(2)  # Does the stiffness play no part for the position? (hint 1)
-# Do position and speed correlate in a process that has settled? (hint 1)
+limit = sp.zeros(2)  # Are the errors zero if the measurement gives no information? (hint 1)
+limit = Q / a * sp.diag(1 / b, 1)  # Was the factor 2 of the expansion lost? (hint 1)
+limit = Q / (2 * a) * sp.diag(1, 1 / b)  # Were the two variances interchanged?
+# Does the stiffness not affect the variance of the position? (hint 1)
+free = Q / (2 * a) * sp.eye(2)
+# Are position and speed correlated in a stationary process? (hint 1)
 free = Q / (2 * a) * sp.Matrix([[1 / b, 1], [1, 1]])
-# How many terms with the friction has the third equation? (hint 1)
+# How many terms with the friction does the third equation have? (hint 1)
 free = Q / a * sp.diag(1 / b, 1)
 
 # %% right
