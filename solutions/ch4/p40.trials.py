@@ -3,25 +3,23 @@
 root = sp.sqrt(intensity)
 first = sp.sqrt(2 * root)
 covariance = sp.Matrix([[first, root], [root, first * root]])
-# Are these the errors of a system that swings? Which sign has $x_1$ in the second equation?
-# (hint 1)
+# Is this for an oscillator? What is the sign of $x_1$ in the second equation? (hint 1)
 joint = covariance[0, 1] - 2 * growth
 first = sp.sqrt(2 * joint)
 covariance = sp.Matrix([[first, joint], [joint, first * (joint + growth)]])
-# Are the errors of both coordinates independent? (hint 1)
+# Are the errors of both coordinates uncorrelated? (hint 1)
 covariance = sp.diag(covariance[0, 0], covariance[1, 1])
 # Which term of the middle equation was left out? (hint 1)
 first, joint, *_ = covariance
 covariance = sp.Matrix([[first, joint], [joint, first * joint]])
-gain = gain[::-1]  # Have the two entries changed places? (hint 1)
-# Which column of the covariance does this measurement take? (hint 1)
+gain = gain[::-1]  # Were the two entries interchanged? (hint 1)
+# Which column of the covariance belongs to this measurement? (hint 1)
 gain = list(covariance[:, 1])
 # Is the variance that belongs to this gain more than zero? (hint 1)
 gain = [0, 2 * growth - gain[1]]
 # Are these the eigenvalues of the system, without a filter? (hint 1)
 eigenvalues = list(A.eigenvals())
-# Was the entry of A forgotten that stands in the same place as the second entry of the gain?
-# (hint 2)
+# Was the entry of A in the position of the second gain forgotten? (hint 2)
 eigenvalues = [gain[0] * (-1 + sign * sp.I) / 2 for sign in (1, -1)]
 eigenvalues = [-value for value in eigenvalues]  # Do errors with these eigenvalues decay? (hint 2)
 

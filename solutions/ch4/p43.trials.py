@@ -1,17 +1,17 @@
 # %% wrong
-shaping = [0, D, 0]  # Does a constant change in the course of time? (hint 1)
-shaping = [1, 0, D]  # Would the error with this equation stay what it is? (hint 1)
+shaping = [0, D, 0]  # Does a constant change with time? (hint 1)
+shaping = [1, 0, D]  # Is the error constant with this equation? (hint 1)
 shaping = [0, 0, 0]  # Is the error of the accelerometer known, then? (hint 1)
 # Is the error of the force white noise here?
 before = sp.Matrix([[D * T**3 / 3, D * T**2 / 2, 0], [D * T**2 / 2, D * T, 0], [0, 0, D]])
-# Have three multiples of one random number nothing in common? (hint 2)
+# Are three multiples of one random number uncorrelated? (hint 2)
 before = sp.diag(D * T**4 / 4, D * T**2, D)
 # What is the integral of a constant, integrated once more? (hint 1)
 before = D * sp.Matrix([[T**4, T**3, T**2], [T**3, T**2, T], [T**2, T, 1]])
 correlation = sp.sqrt(3) / 2  # Is this the value for white noise?
 # Is a larger error of the speed not a sign of a larger error of the coordinate? (hint 1)
 correlation = 0
-correlation_noise = 1  # Does one speed at the end come from one way only? (hint 2)
+correlation_noise = 1  # Does the final speed determine the whole history? (hint 2)
 correlation_noise = sp.Rational(3, 4)  # Is this the square of the coefficient? (hint 2)
 correlation_noise = sp.sqrt(3)  # Can a correlation coefficient be larger than one? (hint 2)
 # Is this the covariance before the measurement?
@@ -24,7 +24,7 @@ after = sp.Matrix(
         [D * T**2 / 2, D * T, D],
     ]
 )
-# Which fraction is taken off, and which is left? (hint 1)
+# Which fraction is subtracted, and which remains? (hint 1)
 after = (
     D
     * T**2
@@ -33,7 +33,7 @@ after = (
     * sp.Matrix([[T**4 / 4, T**3 / 2, T**2 / 2], [T**3 / 2, T**2, T], [T**2 / 2, T, 1]])
 )
 deviations_before = [250000, 1, sp.Rational(1, 10**6)]  # Are these the variances? (hint 1)
-# Was the one half of the second integral forgotten?
+# Was the factor 1/2 of the second integral forgotten?
 deviations_before = [1000, 1, sp.Rational(1, 1000)]
 deviations_after = [500, 0.001, 0.001]  # Is only the speed known better than before? (hint 1)
 deviations_after = [9.13, 0.001, 0.001]  # Is this the coordinate in the case of white noise?
