@@ -42,6 +42,7 @@ PHRASES = {
     r"remembers? (itself|its past)": "coloured noise",
     r"(time|moment) of turning": "switching time",
     r"out of reach": "uncontrollable (unobservable) eigenvalue",
+    r"rest points?": "equilibrium, position of equilibrium",
 }
 #: What may stand before "of" and a name, and names that are no persons.
 KINDS = (
@@ -70,6 +71,7 @@ ODD = (
     r"(knows?|know) nothing of|(lives?|living) by (itself|themselves)|goes its own way",
     r"(conditions?|laws?|criteri(on|a)|ranks?|determinant|matrix|filters?|observers?|equations?) "
     r"(asks?|tells?|wants?|knows?|demands?|believes?|forgets?)",
+    r"which signs? ha(s|ve)|(can|could) be had|ha(s|ve) no mean|at which rates?",
 )
 PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
@@ -107,7 +109,9 @@ def test_the_glossary_lists_the_standard_terms():
         ("the system falls apart; whoever knows $x$", ["system falls apart", "whoever knows"]),
         ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
         ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
+        ("Which sign has the root? Any\n# margin can be had.", ["Which sign has", "can be had"]),
         ("the first moment of $x$; a moment of force; the condition is open", []),
+        ("the rate at which it decays; the question has no meaning", []),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
 )
