@@ -11,7 +11,7 @@ a_gain = sp.Matrix([beta1, beta2 - k, beta3])
 a_gain = sp.Matrix([beta1 - beta3, beta2 - k, beta3])
 a_region = sp.And(l1 + l3 > 0, l3 > 0)  # Are positive coefficients enough for a cubic? (hint 1)
 a_region = l1 > 0  # Does the estimated offset converge without its own correction? (hint 1)
-# Was the offset taken off what is expected of the measurement? (hint 2)
+# Was the offset subtracted from the expected measurement? (hint 2)
 a_observer = [e2 + (z - e1), -k * e1, z - e1]
 # Does the estimate of the offset stay at its initial value here? (hint 2)
 a_observer = [e2 + (z - e1 - e3), -k * e1, 0]
@@ -22,7 +22,7 @@ b_gain = sp.Matrix([beta1 - beta3 / k, beta2 - k, beta3 / k])
 b_gain = sp.Matrix([1 - beta2, beta1 - beta3, beta3])  # Was k forgotten? (hint 1)
 b_region = sp.And(l2 + l3 > 0, l3 > 0)  # Are positive coefficients enough for a cubic? (hint 1)
 b_region = sp.And(l2 > 0, l3 < 0)  # What is the sign of the correction of the offset? (hint 1)
-# Was the offset taken off what is expected of the measurement? (hint 1)
+# Was the offset subtracted from the expected measurement? (hint 1)
 b_observer = [e2, -k * e1 + z - e2, z - e2]
 # Does a correction of the first equation damp the errors here? (hint 1)
 b_observer = [e2 + z - e2 - e3, -k * e1, z - e2 - e3]

@@ -12,7 +12,7 @@ margins = sp.false  # Does every unobservable motion rule out an observer? (hint
 gain = sp.Matrix([0, 0, 0])  # Do the errors decay without a correction? (hint 1)
 # Is this the sign of a feedback $u = Kx$? The correction enters the errors with a minus. (hint 1)
 gain = -gain
-# Were the corrections of the new coordinate taken for those of x? (hint 1)
+# Were the corrections of the new coordinate used for x? (hint 1)
 gain = sp.Matrix([gain[1], gain[2] + margin * gain[1], 0])
 # Is it impossible because the system is not observable? How fast does the hidden motion decay?
 # (hint 1)

@@ -5,7 +5,7 @@ rest = [rest[0], rest[3], rest[4]]  # Must the two coordinates be equal? (hint 2
 rest = [*rest, (sp.pi / 2, 0)]
 rest = [*rest, (-sp.pi / 2, -sp.pi / 2)]  # Where is the sine 1, and where is it $-1$? (hint 2)
 rest = [rest[0], rest[4]]  # How often does the sine vanish in one full turn? (hint 2)
-matrices = matrices[:4]  # Has every equilibrium been considered? (hint 3)
+matrices = matrices[:4]  # Does the list cover every equilibrium? (hint 3)
 # Which signs may the cosines have? (hint 2)
 matrices = [sp.Matrix([[0, 1], [1, 0]]), sp.zeros(2, 2)]
 # What are $1 - \sin y$ and $\cos y$ where the sine is 1? (hint 1)

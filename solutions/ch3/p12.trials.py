@@ -3,7 +3,7 @@ free_region = sp.false  # Does the second coordinate not act back on the first o
 free_region = epsilon > 0  # How strong must the coupling be to stop the growth? (hint 1)
 # What is the second root on the border? (hint 1)
 free_region = coupling * epsilon >= growth * decay
-# What if the part left to itself drives the other one further away? (hint 1)
+# What if the coupling through $x_2$ drives $x_1$ further away? (hint 1)
 gain = sp.Matrix([[-growth - 1, 0]])
 # What is this gain where the coupling vanishes? (hint 1)
 gain = sp.Matrix([[-growth - 1, coupling - 1 / epsilon]])

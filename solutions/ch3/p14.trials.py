@@ -18,13 +18,13 @@ c_gain = sp.Matrix([[-2, 0]])  # Which of the two coordinates grows?
 c_gain = []  # Does the uncontrollable coordinate not decay?
 c_region = (k1 < 1) & (k2 < -1)  # Does the first gain appear in the characteristic polynomial?
 c_region = k2 < 0  # How fast does $x_2$ grow by itself?
-c_region = k2 < -2  # Is the best margin asked for?
+c_region = k2 < -2  # Is the question about the greatest margin?
 c_margins = sp.true  # And the other root: does the gain move it, too?
 c_margins = mu < 1  # Does the definition of a margin exclude equality?
 c_margins = sp.false  # Which equation does the control enter?
 c_lost = []  # What is the rank of W?
 c_lost = [[0, 1]]  # Which coordinate does the control leave alone?
-c_lost = [[2, -1]]  # Is a row not asked for?
+c_lost = [[2, -1]]  # Is this a row with $wb = 0$, or an eigenvector of the matrix?
 
 # %% right
 a_gain = [-64, 16, -27]  # three roots -2

@@ -11,7 +11,7 @@ covariance = covariance.inv()
 # Is the inverse of a matrix that of its entries? (hint 1)
 normal = covariance.inv()
 covariance = sp.diag(1 / normal[0, 0], 1 / normal[1, 1])
-# Which sign have the entries beside the diagonal in an inverse? (hint 1)
+# What is the sign of the off-diagonal entries of the inverse? (hint 1)
 covariance = covariance.applyfunc(abs)
 
 # %% right

@@ -12,7 +12,7 @@ a_polynomial = (
 a_polynomial = (lam - 1) ** 4
 # Is the square of w the same as the sum of the two squares? (hint 2)
 b_reduced = w**2 + (kappa / 6 - 4) * w + 2 * kappa / 3 + 6
-b_reduced = (w - 2) ** 2 + kappa * (w + 4)  # Did a number in front of $\kappa$ get lost? (hint 1)
+b_reduced = (w - 2) ** 2 + kappa * (w + 4)  # Was a factor in front of $\kappa$ lost? (hint 1)
 # What is the sum of $\lambda$ and its inverse on the circle? (hint 1)
 b_circle = (sp.cos(phi) - 2) ** 2 + kappa / 6 * (sp.cos(phi) + 4)
 # Is this still complex, without the division that makes it real?
@@ -22,7 +22,7 @@ b_circle = (sp.exp(sp.I * phi) - 1) ** 4 + kappa / 6 * sp.exp(sp.I * phi) * (
 c_kappa = 0  # Is this the trivial zero of the discriminant? (hint 2)
 c_kappa = 24  # Is this where a coefficient vanishes, instead of the discriminant? (hint 2)
 d_digits = 0.500  # To which base was the logarithm taken? (hint 2)
-d_digits = 1.649  # Is this the eigenvalue itself? How many digits does it cost? (hint 2)
+d_digits = 1.649  # Is this the eigenvalue itself? How many digits does it correspond to? (hint 2)
 # Does an error grow with the smallest eigenvalue or with the greatest? (hint 1)
 d_digits = -0.217
 

@@ -1,11 +1,11 @@
 # %% wrong
-# Is this the spline through the samples, whatever the weight is? (hint 2)
+# Is this the spline through the samples, for any weight? (hint 2)
 a_acceleration = 3 * (h0 - 2 * h1 + h2) / (2 * tau**2)
 # Is the acceleration constant between the samples? (hint 1)
 a_acceleration = rho * tau * (h0 - 2 * h1 + h2) / (rho * tau**3 + 6 * M)
-# Does only the middle sample give way? (hint 2)
+# Is only the middle residual not zero? (hint 2)
 a_acceleration = 3 * rho * tau * (h0 - 2 * h1 + h2) / (2 * (rho * tau**3 + 6 * M))
-# Have the misses got the wrong sign? (hint 2)
+# Do the residuals have the wrong sign? (hint 2)
 q = 3 * M * (h0 - 2 * h1 + h2) / (2 * (rho * tau**3 + 9 * M))
 a_positions = [h0 + q, h1 - 2 * q, h2 + q]
 a_positions = [h0, h1, h2]  # Are these the samples themselves? (hint 1)
@@ -19,13 +19,13 @@ b_weight = rho * tau * (3 * Delta - 2 * D * tau**2) / 18
 # Can the weight be negative for a small bound? (hint 1)
 b_weight = rho * tau * (2 * D * tau**2 - 3 * Delta) / (18 * D)
 c_sweep = rho / 6 * (Delta - D * tau**2) ** 2  # Is this the misfit of the direct method? (hint 1)
-# Is this the miss of the middle sample alone? (hint 1)
+# Is this the residual of the middle sample alone? (hint 1)
 c_sweep = rho * (Delta - 2 * D * tau**2 / 3) ** 2 / 9
-# Is this the misfit of the sweep? Another motion may do better. (hint 1)
+# Is this the misfit of the sweep? Another motion may have a smaller one. (hint 1)
 c_direct = rho / 6 * (Delta - 2 * D * tau**2 / 3) ** 2
-# Is it best to put the whole rest on the middle sample? (hint 2)
+# Is it best to let the middle sample have the whole residual? (hint 2)
 c_direct = rho / 4 * (Delta - D * tau**2) ** 2
-c_direct = 0  # Can the bound be kept without any miss? (hint 2)
+c_direct = 0  # Can the bound be satisfied with zero residuals? (hint 2)
 
 # %% right
 # from the equation (R + M G) u = d

@@ -1,11 +1,11 @@
 # %% wrong
-# Was the speed forgotten that the drift brings with it at the start? (hint 1)
+# Was the initial speed due to the drift forgotten? (hint 1)
 a_speed = (
     -R * eps
     + v0 * sp.cos(sp.sqrt(g / R) * t)
     + (b - g * phi0) * sp.sqrt(R / g) * sp.sin(sp.sqrt(g / R) * t)
 )
-# Was the frequency turned over? (hint 2)
+# Was the frequency inverted? (hint 2)
 a_speed = (
     -R * eps
     + (v0 + R * eps) * sp.cos(sp.sqrt(R / g) * t)
@@ -14,11 +14,11 @@ a_speed = (
 # Was the feedback by the curvature of the Earth left out? (hint 1)
 a_speed = v0 + (b - g * phi0) * t - g * eps * t**2 / 2
 b_unseen = [0, 1, 0, -g]  # Which sign must the tilt have to hide the bias? (hint 1)
-# Does the speed not show the oscillation that this change brings? (hint 1)
+# Does this change not cause an oscillation of the speed? (hint 1)
 b_unseen = [-R, 0, 1, 0]
 b_unseen = [0, 0, 0, 0]  # Is no change at all a change? (hint 1)
 c_error = b / g  # Is this the truth minus the estimate? (hint 1)
-c_error = 0  # Does an error do no harm because it is not seen? (hint 1)
+c_error = 0  # Is an error harmless because it is unobservable? (hint 1)
 # Were the errors added as if they were independent? (hint 2)
 d_worst = (
     delta
@@ -37,7 +37,7 @@ a_speed = (
     + (B - G * P) * sp.sqrt(L / G) * sp.sin(T * sp.sqrt(G / L))
 )
 b_unseen = sp.Matrix([0, 1 / g, 0, 1])  # divided by g, as a column
-b_unseen = (0, -2, 0, -2 * g)  # the other way round
+b_unseen = (0, -2, 0, -2 * g)  # with the opposite sign
 c_error = -1.0 * b / g  # a decimal factor
 # by the half angle
 d_worst = (

@@ -1,16 +1,16 @@
 # %% wrong
-a_unseen = [x, y, 0, 0]  # Does the line of sight stay where it is? (hint 1)
-# Is a bearing blind along the course, or along the line of sight? (hint 1)
+a_unseen = [x, y, 0, 0]  # Is the line of sight constant? (hint 1)
+# Is a displacement unobservable along the course, or along the line of sight? (hint 1)
 a_unseen = [0, 0, u, w]
-# Is this displacement across the line of sight, where a bearing sees best? (hint 1)
+# Is this displacement across the line of sight, where a bearing changes most? (hint 1)
 a_unseen = [-y, x, -w, u]
-# Does any manoeuvre do? In which direction are all targets of the family displaced? (hint 1)
+# Is any manoeuvre enough? In which direction are all targets of the family displaced? (hint 1)
 b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))
 # Is the turn compared with the line of sight at the right instant? (hint 2)
 b_condition = sp.Ne(p * y - q * x, 0)
-# Must the turn have a part along x? (hint 2)
+# Must the turn have a component along x? (hint 2)
 b_condition = sp.And(sp.Ne(p * (y + w * t) - q * (x + u * t), 0), sp.Ne(p, 0))
-# Is it perpendicular to the line of sight, or just not along it, that is needed? (hint 2)
+# Must it be perpendicular to the line of sight, or just not parallel to it? (hint 2)
 b_condition = sp.Eq(p * (x + u * t) + q * (y + w * t), 0)
 # At which instant does the range enter, before the turn or at the bearing? (hint 2)
 c_error = (
@@ -18,7 +18,7 @@ c_error = (
     * ((x + u * t) ** 2 + (y + w * t) ** 2)
     / ((t - T) * sp.Abs(p * (y + w * t) - q * (x + u * t)))
 )
-# Is this the change of velocity instead of the way aside? (hint 1)
+# Is this the change of velocity instead of the displacement? (hint 1)
 c_error = (
     delta
     * ((x + u * t - p * (t - T)) ** 2 + (y + w * t - q * (t - T)) ** 2)
@@ -43,7 +43,7 @@ a_unseen = sp.Matrix([-x, -y, -u, -w]) / 3  # towards the observer, as a column
 # multiplied out, with the time after the turn
 b_condition = sp.Ne((t - T) * (q * x + q * u * t - p * y - p * w * t), 0)
 b_condition = (p * (y + w * t) - q * (x + u * t)) ** 2 > 0  # by the square
-# by the way aside
+# by the displacement
 cx, cy = p * (t - T), q * (t - T)
 c_error = (
     delta

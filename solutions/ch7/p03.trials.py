@@ -6,14 +6,14 @@ a_modes = [
     n1 * x + n2 * y + n3 * z,
     (n1 * v_x + n2 * v_y + n3 * v_z) / omega,
 ]
-# In which direction does the drift go? (hint 2)
+# In which direction is the drift? (hint 2)
 a_modes = [
     n1 * (4 * x + 2 * v_y / omega) + n2 * (y - 2 * v_x / omega),
     3 * n2 * (v_y + 2 * omega * x),
     n1 * (-3 * x - 2 * v_y / omega) + 2 * n2 * v_x / omega + n3 * z,
     (n1 * v_x + n3 * v_z) / omega + 2 * n2 * (3 * x + 2 * v_y / omega),
 ]
-# Do displacements across the line of sight stay there? (hint 1)
+# Do displacements across the line of sight remain there? (hint 1)
 b_unseen = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
 # Are these two states really independent? (hint 2)
 b_unseen = [
@@ -25,7 +25,7 @@ b_unseen = [[1, 0, -n1 / n3, 0, 0, 0], [0, 2, -2 * n2 / n3, omega, 0, -n1 * omeg
 c_ranks = [4, 4, 4]  # Does every direction show all four functions? (hint 1)
 c_ranks = [2, 2, 2]  # Does a range in one direction depend on that coordinate only? (hint 1)
 d_insufficient = sp.Eq(n1 * k3, n3 * k1)  # Is one equality enough? (hint 2)
-# Is it perpendicular or parallel that the directions have to be? (hint 2)
+# Must the directions be perpendicular or parallel? (hint 2)
 d_insufficient = sp.Eq(n1 * k1 + n2 * k2 + n3 * k3, 0)
 # Do both equalities have to hold, or is either enough? (hint 2)
 d_insufficient = sp.Or(sp.Eq(n1 * k3, n3 * k1), sp.Eq(n2 * k3, n3 * k2))

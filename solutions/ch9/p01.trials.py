@@ -1,18 +1,18 @@
 # %% wrong
-# Do all six sides still touch what is left? (hint 2)
+# Do all six sides still touch the remaining set? (hint 2)
 a_tight = [w, w, 3 * w, w, w, -w]
 # How far from zero is the last strip at least? (hint 2)
 a_tight = [0, w, 2 * w, w, 0, w]
 # Was the side moved to the strip's middle instead of the corner of its neighbours? (hint 2)
 a_tight = [0, w, 2 * w, w, 0, -2 * w]
-# Is that where the first corner is cut off and not where nothing is left? (hint 2)
+# Is the first corner cut off there, or is the set empty? (hint 2)
 b_common = c <= 2 * w
-b_common = c < 3 * w  # Does a place on two coinciding sides agree with both? (hint 2)
+b_common = c < 3 * w  # Does a position on two coinciding sides agree with both? (hint 2)
 b_common = sp.true  # Were opposite values added before they were tight? (hint 1)
 # Which corner do both squares have in the south-east? (hint 1)
 c_tight = [d, sp.sqrt(2) * d, d, (a + d) / sp.sqrt(2), 0, 0, 0, (a + d) / sp.sqrt(2)]
-c_tight = [d, d, d, d, 0, 0, 0, d]  # Have the eight normals all the length 1? (hint 2)
-# Is this what the two squares have together instead of in common? (hint 1)
+c_tight = [d, d, d, d, 0, 0, 0, d]  # Do all eight normals have the length 1? (hint 2)
+# Is this the hull of the two squares instead of their intersection? (hint 1)
 c_tight = [
     a + d,
     sp.sqrt(2) * (a + d),

@@ -6,7 +6,7 @@ a_east = sp.Integer(
 )  # Does the vehicle move straight ahead, as the published section does? (hint 1)
 a_east = theta**2 / 2  # Is a parabola an arc of a circle for long steps, too? (hint 2)
 b_north = theta * sp.sin(theta)  # This is the end of the published section. (hint 1)
-b_north = 1 - sp.cos(2 * theta)  # Which heading has the vehicle after a turn of two steps? (hint 1)
+b_north = 1 - sp.cos(2 * theta)  # What is the heading after a turn of two steps? (hint 1)
 b_north = 1 - sp.cos(theta)  # Does it move to the east while it turns back? (hint 2)
 c_covered = t <= s / delta  # How far apart are the two remaining nodes? (hint 1)
 c_covered = t >= s / (2 * delta)  # Do the sections move apart or together? (hint 1)

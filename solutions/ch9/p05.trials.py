@@ -1,5 +1,5 @@
 # %% wrong
-# Which sign has the derivative of $H$ in an adjoint equation? (hint 1)
+# What is the sign of the derivative of $H$ in an adjoint equation? (hint 1)
 a_adjoint = [
     0 * x,
     0 * x,
@@ -16,12 +16,13 @@ a_adjoint = [
 b_controls = [sp.sign(ppsi), mu2 * sp.sign(pV)]  # Which acceleration is the least one? (hint 2)
 # Is $H$ to be made as great or as small as possible? (hint 2)
 b_controls = [-sp.sign(ppsi), sp.Piecewise((mu1, pV > 0), (mu2, True))]
-c_long = T  # Does the turn cost nothing? (hint 2)
-c_long = 1 + T - phi  # How far in this direction does the turn itself lead? (hint 2)
+c_long = T  # Does the turn cost no distance? (hint 2)
+c_long = 1 + T - phi  # How far does the vehicle move in this direction during the turn? (hint 2)
 c_long = sp.sin(phi) + T  # How much time is left after the turn? (hint 2)
 d_short = sp.sin(T)  # Is this the distance to the north? (hint 1)
 d_short = 1 - sp.cos(T)  # Is this the distance to the east? (hint 1)
-d_short = sp.sin(phi - T) - sp.sin(phi)  # Which sign has the distance of a short flight? (hint 2)
+# What is the sign of the distance of a short flight? (hint 2)
+d_short = sp.sin(phi - T) - sp.sin(phi)
 # Is this the greatest without a condition on the last heading? (hint 1)
 e_section = 1 + T - sp.pi / 2
 e_section = T - sp.pi  # Does the vehicle move to the east while it turns? (hint 2)
