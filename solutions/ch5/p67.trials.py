@@ -28,7 +28,7 @@ b_cost = sp.diag(1, 1 + sp.sqrt(2))  # What does it cost to stay at rest at some
 b_cost = sp.diag(0, sp.sqrt(2))  # Is this a rate of decay instead of a cost?
 b_rest = [0, 0]  # Does anything bring x back? (hint 1)
 b_rest = [x1, 0]  # Does the position not change while the velocity decays? (hint 1)
-b_rest = [x1 + x2, 0]  # At which rate does the velocity decay? (hint 1)
+b_rest = [x1 + x2, 0]  # How fast does the velocity decay? (hint 1)
 # Is this the rate due to the gain alone, without the free motion? (hint 1)
 b_rest = [x1 + x2 / (1 + sp.sqrt(2)), 0]
 # Which power of the gain appears in the first equation? (hint 1)

@@ -71,7 +71,12 @@ ODD = (
     r"(knows?|know) nothing of|(lives?|living) by (itself|themselves)|goes its own way",
     r"(conditions?|laws?|criteri(on|a)|ranks?|determinant|matrix|filters?|observers?|equations?) "
     r"(asks?|tells?|wants?|knows?|demands?|believes?|forgets?)",
+    r"no say in|equally dear|deaf to|blind for|live[sd]? apart|at one blow|gives? to nobody",
+    r"eigenrows?|forms? of cauchy|gets? its sign turned|has this matrix an inverse",
+    r"a observab(le|ility) (canonical|form|decomposition)",
+    r"surfaces? of singular control|settled (filter|state)s?|too dear|dearer by|a unit of way",
     r"which signs? ha(s|ve)|(can|could) be had|ha(s|ve) no mean|at which rates?",
+    r"costs? stands? (at|in|only)|stands? in \$H|with a dash for|way of the (ship|point|body)",
 )
 PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
@@ -110,8 +115,23 @@ def test_the_glossary_lists_the_standard_terms():
         ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
         ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
         ("Which sign has the root? Any\n# margin can be had.", ["Which sign has", "can be had"]),
-        ("the first moment of $x$; a moment of force; the condition is open", []),
         ("the rate at which it decays; the question has no meaning", []),
+        ("The cost stands at the end.\nIt is too dear.", ["too dear", "cost stands at"]),
+        (
+            "What stands in $H$ on the surface of\nsingular control?",
+            ["surface of singular control", "stands in $H"],
+        ),
+        ("the first moment of $x$; a moment of force; the condition is open", []),
+        ("The other terms had no\nsay in it; an eigenrow", ["no say in", "eigenrow"]),
+        (
+            "They are not equally dear.\nHas this matrix an inverse?",
+            ["equally dear", "Has this matrix an inverse"],
+        ),
+        (
+            "a observable canonical form by the form of Cauchy",
+            ["form of Cauchy", "a observable canonical"],
+        ),
+        ("the system lives in the plane; an observable canonical form", []),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
 )

@@ -27,7 +27,7 @@ STARTS = 48
 #: For how many sets of parameter values a field's stationary points are kept: a verdict asks for
 #: some thirty, mostly the same.
 MOST_KEPT = 200
-#: Closer to an open end of the domain than this, a rest point counts as lying on the end.
+#: Closer to an open end of the domain than this, an equilibrium counts as lying on the end.
 END = 1e-7
 
 

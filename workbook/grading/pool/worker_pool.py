@@ -244,7 +244,7 @@ def run_worker(settings, bubblewrap):
                 while True:
                     result = grader.grade(json.loads(framing.receive(0, idle_seconds)))
                     if not forkserver.alive():
-                        # No further sandbox can be had: another worker process replaces this one.
+                        # No further sandbox is available: another worker process replaces this one.
                         return
                     framing.send(results, json.dumps(result).encode())
         except SandboxUnavailableError as error:
