@@ -40,8 +40,15 @@ def judged_problem(cells, trials, answers=None):
         ]
         if role == "check":
             judges.update(reported(source))
+    # a worked solution may use a name of the data for something else
+    data = {"__name__": "__main__"}
+    reference = {name: namespace[name] for name in judges if name in namespace}
+    with _silent():
+        for role, source in cells:
+            if role == "data":
+                _run(source, data)
     for number, (role, name, source) in enumerate(trials):
-        names = dict(namespace)
+        names = data | reference
         with _silent():
             failure = _run(source, names)
             started = time.perf_counter()
