@@ -1,6 +1,7 @@
 """Extremals by `Problem.solve()` against YAPSS, rockit, dymos and plain CasADi: error of the cost
 and of the switching times against the time from the bare statement to the result, each solved in a
-fresh process, packages imported before the clock starts.
+fresh process, packages imported before the clock starts; and the processor time of a second solution
+in the same process, which depends little on what else the machine does.
 
 The peers live in an environment of their own, which is made on the first run (`python -m venv`,
 then pip) in _build/peers or where `--environment` says. Peers get a guess of the time and straight
@@ -16,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -59,15 +61,15 @@ def ours(name):
         duration=case.duration,
     ).solve()
     seconds = time.perf_counter() - start
-    again = time.perf_counter()
-    extremal.problem.solve()
+    again = time.process_time()
+    replace(extremal.problem).solve()
     print(
         json.dumps(
             {
                 "cost": extremal.cost,
                 "switchings": extremal.switching_times,
                 "seconds": seconds,
-                "again": time.perf_counter() - again,
+                "again": time.process_time() - again,
                 "worst": extremal.certificate().worst,
             }
         )
@@ -135,6 +137,7 @@ def main():
     parser.add_argument(
         "--problem", choices=list(CASES), action="append", help="only this one (may be repeated)"
     )
+    parser.add_argument("--peer", choices=list(PEERS), action="append", help="only this one")
     parser.add_argument("--ours", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.ours:
@@ -146,37 +149,33 @@ def main():
             f"\n{name}: J = {case.cost:.12f}, switchings "
             f"{', '.join(f'{t:.10f}' for t in case.switchings) or 'not compared'}"
         )
-        print(f"{'':38} {'error of J':>11} {'of switchings':>14} {'seconds':>9}", flush=True)
-        best = measured(python, name, case)
+        titles = ("error of J", "of switchings", "seconds", "again")
+        print(f"{'':38} {titles[0]:>11} {titles[1]:>14} {titles[2]:>9} {titles[3]:>9}", flush=True)
+        best = measured(python, name, case, arguments.peer or list(PEERS))
         mine = best.pop("trajlib")
         line(
             "trajlib",
             case,
             mine,
             mine["switchings"],
-            f"again {mine['again']:.3f}; worst residual of the certificate {mine['worst']:.1e}",
+            f"worst residual of the certificate {mine['worst']:.1e}",
         )
-        for peer, one in best.items():
-            if isinstance(one, str):
-                print(f"{peer:38} {one:>11}")
-            else:
-                line(
-                    peer,
-                    case,
-                    one,
-                    switchings(case, one["times"], one["controls"]),
-                    f"with the guess {one['guess']:g} of the time"
-                    if one["guess"] != guesses(case)[0]
-                    else "",
-                )
-        seconds, peer = min(
-            (one["seconds"], peer) for peer, one in best.items() if not isinstance(one, str)
-        )
-        print(
-            f"the fastest peer takes {seconds / mine['seconds']:.2f} times as long as trajlib "
-            f"({peer})",
-            flush=True,
-        )
+        for peer, result in best.items():
+            if isinstance(result, str):
+                print(f"{peer:38} {result:>11}")
+                continue
+            line(
+                peer,
+                case,
+                result,
+                switchings(case, result["times"], result["controls"]),
+                f"with the guess {result['guess']:g} of the time"
+                if result["guess"] != guesses(case)[0]
+                else "",
+            )
+            ratios = (mine[clock] / result[clock] for clock in ("seconds", "again"))
+            print("{:38} trajlib takes {:.2f} times as long, again {:.2f}".format("", *ratios))
+        print(f"load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
 
 
 def guesses(case):
@@ -184,13 +183,13 @@ def guesses(case):
     return (case.guess,) if case.guess else GUESSES[:1] if case.duration else GUESSES
 
 
-def measured(python, name, case):
-    """{solver: its fastest run, or a word saying why there is none}; the solvers take turns, since
-    other work slows all of them."""
+def measured(python, name, case, peers):
+    """{solver: its result with its shortest times, or a word saying why there is none}; the solvers
+    take turns, since other work slows all of them."""
     best, guess = {}, {}
     for turn in range(RUNS):
         results = {"trajlib": run([sys.executable, HERE / "pontryagin.py", "--ours", name])}
-        for peer in PEERS:
+        for peer in peers:
             if isinstance(best.get(peer), str) or (turn and "dymos" in peer):
                 continue
             for first in [guess[peer]] if peer in guess else guesses(case):
@@ -202,20 +201,21 @@ def measured(python, name, case):
                     break
             if not isinstance(results[peer], str):
                 results[peer]["guess"] = guess[peer]
-        for solver, one in results.items():
-            if solver not in best or (
-                not isinstance(one, str) and one["seconds"] < best[solver]["seconds"]
-            ):
-                best[solver] = one
+        for solver, result in results.items():
+            if solver in best and not isinstance(result, str):
+                for clock in ("seconds", "again"):
+                    result[clock] = min(result[clock], best[solver][clock])
+            if solver not in best or not isinstance(result, str):
+                best[solver] = result
     return best
 
 
-def line(solver, case, one, times, remark):
+def line(solver, case, result, times, remark):
     error = max((abs(a - b) for a, b in zip(times, case.switchings)), default=float("nan"))
     remark = f"   ({remark})" if remark else ""
     print(
-        f"{solver:38} {abs(one['cost'] - case.cost):11.1e} {error:14.1e} "
-        f"{one['seconds']:9.3f}{remark}",
+        f"{solver:38} {abs(result['cost'] - case.cost):11.1e} {error:14.1e} "
+        f"{result['seconds']:9.3f} {result['again']:9.3f}{remark}",
         flush=True,
     )
 

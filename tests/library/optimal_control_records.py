@@ -187,9 +187,8 @@ def van_der_pol_singular():
         None,
         best.fun,
         "SciPy: least cost over the lengths of three arcs, the singular control as a feedback law",
-        "bang-bang-singular control of the van der Pol oscillator; printed without a source we could "
-        "check",
-        published=(("literature", 0.7576179, 1e-7),),
+        "bang-bang-singular control of the van der Pol oscillator; its first print was not found",
+        published=(("digits from a secondary source", 0.7576179, 1e-7),),
     )
 
 
@@ -222,8 +221,8 @@ def rayleigh_fastest():
         None,
         best.fun,
         "SciPy: least time over the lengths of three arcs that end at rest",
-        "time-optimal Rayleigh oscillator; printed without a source we could check",
-        published=(("literature", 3.66817, 1e-5),),
+        "time-optimal Rayleigh oscillator; its first print was not found",
+        published=(("digits from a secondary source", 3.66817, 1e-5),),
     )
 
 

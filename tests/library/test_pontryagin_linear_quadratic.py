@@ -198,7 +198,7 @@ def test_conjugate_end_with_a_family_of_extremals(end, cost):
 
 @pytest.mark.parametrize("duration", [R("3.14159"), np.pi, R("3.1416")])
 def test_duration_next_to_a_conjugate_end(duration):
-    """The cost is cot T; no sign is claimed for a second variation of about 1e-6."""
+    """The cost is cot T; a second variation of about 1e-6 proves nothing."""
     extremal = Problem(**RESONANT, initial={x: 1}, terminal=[x], duration=duration).solve()
     with mpmath.workdps(40):
         cost = float(
@@ -207,7 +207,8 @@ def test_duration_next_to_a_conjugate_end(duration):
             )
         )
     assert extremal.cost == pytest.approx(cost, rel=1e-12)
-    assert extremal.optimality.kind == "extremal" and extremal.certificate().holds()
+    assert not extremal.optimality.proved and extremal.certificate().holds()
+    assert (extremal.optimality.kind == "locally minimal") <= bool(duration < np.pi)
     assert "the only one; a better process is not excluded" in str(extremal.optimality)
 
 

@@ -43,6 +43,7 @@ from trajlib.pontryagin.problem.errors import Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem
+from trajlib.pontryagin.verification.second_variation import EXTRAPOLATED
 
 # Decimal digits of the first attempt, doubled until two attempts agree, and at most so many.
 DIGITS, MAX_DIGITS = 40, 1280
@@ -118,11 +119,15 @@ def _gradient(problem):
 def _decided(extremal, problem):
     """Return the extremal, proved optimal where the second variation is clearly positive.
 
-    `problem`: in the user's units. Raises `Unbounded` where it is clearly negative.
+    `problem`: in the user's units. Raises `Unbounded` where it is clearly negative. Clear are values
+    beyond the errors of extrapolation; smaller ones with a sign are evidence, not more.
     """
     if sufficiency_theorem(problem) is not None:
         return extremal
-    sign = extremal._variation.sign
+    variation = extremal._variation
+    if not abs(variation.least) > EXTRAPOLATED * variation.largest and variation.least != np.inf:
+        return extremal
+    sign = variation.sign
     # The direction in which the cost falls may violate an inequality.
     if sign < 0 and not problem.constrained:
         raise Unbounded(
