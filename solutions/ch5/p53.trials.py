@@ -15,7 +15,7 @@ printed_end = [psi_x - 1, psi_v, psi_m]  # Is the mass free at the end? (hint 1)
 # Which sign does the terminal cost have if it is minimised? (hint 2)
 printed_end = [psi_x + 1, psi_v]
 end = [psi_x - 1, psi_v]  # Is the speed still free at the end? (hint 1)
-end = [psi_x + 1]  # Is the range minimised or maximised? (hint 1)
+end = [psi_x + 1]  # Which sign belongs to a range that is maximised? (hint 1)
 switching = psi_v  # Does a burn change the speed alone? (hint 1)
 # Does full thrust make $H$ greatest or least where this is positive? (hint 1)
 switching = psi_m / c - psi_v / m
