@@ -4,7 +4,7 @@ from adversarial import right, wrong
 
 ROWS = [
     wrong("2.1", "a_transformation", "[[2, 0], [2, 2]]", "z is the first coordinate itself"),
-    wrong("2.1", "b_canonical", "[[0, 1, 0], [0, 0, 1], [2, 2, 0]]", "the form by control"),
+    wrong("2.1", "b_canonical", "[[0, 1, 0], [0, 0, 1], [2, 2, 0]]", "the controllable form"),
     wrong("2.1", "b_transformation", "[[1, 0, 0], [0, 1, 0], [1, 1, 1]]", "Kalman's rows"),
     right("2.1", "a_transformation", "sp.Matrix([[1, 0], [-1, 1]]).inv()", "as an inverse"),
     wrong("2.2", "possible", "sp.Ne(alpha**2, 4)", "alpha = -2 is possible"),

@@ -217,7 +217,7 @@ def _require_transversality(residual, normals, allowed, message, uncertainty):
     if not np.all(
         np.abs(projection @ residual) <= 10 * allowed + 1e-9 + np.abs(projection) @ uncertainty
     ):
-        raise Wrong(f"{message}; the condition of transversality does not hold for them")
+        raise Wrong(f"{message}; the transversality condition does not hold for them")
 
 
 def _rival_controls(best, u):

@@ -105,7 +105,8 @@ def require_optimal(
         # Without the cost: close to the optimum it would show the least cost.
         raise Wrong(
             f"{where}{source} keeps to the ends; there is an admissible process with the same ends "
-            "that costs " + ("more, and the cost is to be great" if problem.maximise else "less")
+            "that costs "
+            + ("more, and the cost is to be maximised" if problem.maximise else "less")
         )
 
 

@@ -1,11 +1,11 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes to them.
+"""The observable (2.5) and the controllable (2.4) canonical form, and the changes to them.
 
 Also the matrix in the basis b, A b, A^2 b, ...
 
 A form is judged by its shape and by its characteristic polynomial; a change of variables by the
-transformed equations. The form by control is the form by observation of the transposed matrix, with rows and
-columns in reverse order; the matrix in the basis of the chain is the form by observation with rows
-and columns in reverse order.
+transformed equations. The controllable canonical form is the observable one of the transposed
+matrix, with rows and columns in reverse order; the matrix in the basis of the chain is the
+observable canonical form with rows and columns in reverse order.
 
 Coordinates of the observable part alone are judged by the equations that the form stands for, z =
 xi1 and xi_k' = (a multiple of z) + xi_(k+1), the last one without its second term. With as many
@@ -33,7 +33,7 @@ from workbook.checks.tools.wording import number_text, where_text
 class _Form:
     """The wording for one of the forms.
 
-    `entry` maps the position (i, j) in the form by observation of order n to that in this form.
+    `entry` maps the position (i, j) in the observable form of order n to that in this form.
     """
 
     shape: str
@@ -178,7 +178,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
 
 
 def judge_form(claim, pair, form):
-    """Judge the shape and the characteristic polynomial of a form by observation of the pair's A."""
+    """Judge the shape and the characteristic polynomial of an observable canonical form of the pair's A."""
     tolerance = relative_tolerance(claim)
     for values, point, _ in pair.samples_for(claim):
         claimed = matrix_at(claim, values)

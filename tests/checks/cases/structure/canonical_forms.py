@@ -36,7 +36,7 @@ CASES = [
         "right",
         "with a parameter, a plain symbol",
     ),
-    Case("canonical_matrix", BY_CONTROL, SEEN, "wrong", "the form by control"),
+    Case("canonical_matrix", BY_CONTROL, SEEN, "wrong", "the controllable form"),
     Case("canonical_matrix", BY_OBSERVATION.T, SEEN, "wrong", "transposed"),
     Case("canonical_matrix", [[0, 1, 0], [-2, 0, 1], [2, 0, 0]], SEEN, "wrong", "a sign"),
     Case(
@@ -51,7 +51,7 @@ CASES = [
     Case("canonical_matrix", [[0, 1], [2, 0]], SEEN, "invalid", "another order"),
     Case("canonical_matrix", BY_CONTROL, DRIVEN, "right", "a matrix"),
     Case("canonical_matrix", [[0, 1], [a, 1]], FREE_DRIVEN, "right", "with a parameter"),
-    Case("canonical_matrix", BY_OBSERVATION, DRIVEN, "wrong", "the form by observation"),
+    Case("canonical_matrix", BY_OBSERVATION, DRIVEN, "wrong", "the observable form"),
     Case("canonical_matrix", [[0, 1, 0], [0, 0, 1], [2, -2, 0]], DRIVEN, "wrong", "a sign"),
     Case(
         "canonical_matrix",
@@ -72,14 +72,14 @@ CASES = [
     ),
     Case("chain_basis_matrix", [[0, a], [1, 1]], FREE_DRIVEN, "right", "with a parameter"),
     Case(
-        "chain_basis_matrix", BY_CONTROL, DRIVEN, "wrong", "the form by control: rows for columns"
+        "chain_basis_matrix", BY_CONTROL, DRIVEN, "wrong", "the controllable form: rows for columns"
     ),
     Case(
         "chain_basis_matrix",
         BY_OBSERVATION,
         DRIVEN,
         "wrong",
-        "the form by observation: the basis in reverse order",
+        "the observable form: the basis in reverse order",
     ),
     Case(
         "chain_basis_matrix", BY_OBSERVATION.T, DRIVEN, "wrong", "the coefficients in the first row"
