@@ -91,6 +91,14 @@ def test_no_matrices(answer, said):
         coercion.as_matrix(answer, shape=(2, 2))
 
 
+def test_a_matrix_of_another_shape_is_refused_before_its_entries_are_read():
+    """Of 40,000 entries that would take more than a second; the symbol q would be refused first."""
+    for answer in (np.full((200, 200), sp.Symbol("q")), [[sp.Symbol("q")] * 3] * 2):
+        with pytest.raises(Invalid, match="of shape"):
+            coercion.as_matrix(answer, [x], (2, 1), (1, 2))
+    assert coercion.as_matrix([[1, 2]], [x], (2, 1), (1, 2)).shape == (1, 2)
+
+
 def test_symbols_match_by_name():
     assert coercion.as_expression(plain**2, [x]) == x**2
     with pytest.raises(Invalid, match="q"):

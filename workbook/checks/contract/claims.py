@@ -107,12 +107,11 @@ class MatrixOrVector(Claim):
 
     @staticmethod
     def coerce(answer, symbols, shape):
-        matrix = Matrix.coerce(answer, symbols, shape if shape == (1, 1) else None)
-        if 1 in shape and matrix.shape == shape[::-1]:
-            matrix = matrix.T
-        if matrix.shape != shape:
-            raise Invalid(f"expected a matrix of shape {tuple(shape)}, got {matrix.shape}")
-        return matrix
+        if shape == (1, 1):
+            return Matrix.coerce(answer, symbols, shape)
+        other_shapes = [shape[::-1]] if 1 in shape else []
+        matrix = coercion.as_matrix(answer, symbols, shape, *other_shapes)
+        return matrix if matrix.shape == shape else matrix.T
 
 
 class Vectors(Claim):

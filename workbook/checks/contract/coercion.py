@@ -251,7 +251,7 @@ def as_points(answer, dimension):
     ]
 
 
-def as_matrix(answer, symbols=(), shape=None):
+def as_matrix(answer, symbols=(), shape=None, *other_shapes):
     """Return a SymPy matrix from a Matrix, nested lists, an array or a DM; a vector is a column.
 
     Parameters
@@ -262,28 +262,37 @@ def as_matrix(answer, symbols=(), shape=None):
         The data's own symbols.
     shape : tuple of int, optional
         The shape that is expected.
+    *other_shapes : tuple of int
+        Shapes that are accepted, too.
 
     Returns
     -------
     sympy.ImmutableMatrix
     """
-    answer = unwrapped(answer)
+    answer, shapes = unwrapped(answer), [shape, *other_shapes]
     if isinstance(answer, (list, tuple)):
         rows = [vector_entries(row) for row in answer]
         if any(row is None for row in rows):
             rows = [[entry] for entry in answer]
         if len({len(row) for row in rows}) > 1:
             raise Invalid("the rows of the matrix have different lengths")
+        _require_shape((len(rows), len(rows[0]) if rows else 0), shapes)
         answer = sp.Matrix([[as_expression(entry, symbols) for entry in row] for row in rows])
     elif isinstance(answer, np.ndarray):
         if answer.ndim > 2:
             raise Invalid(f"expected a matrix, got an array with {answer.ndim} axes")
+        _require_shape((*answer.shape, 1)[:2], shapes)
         answer = sp.Matrix(answer.tolist())
     if not isinstance(answer, sp.MatrixBase):
         raise Invalid(f"expected a matrix, got {kind_of(answer)}")
-    if shape is not None and answer.shape != tuple(shape):
-        raise Invalid(f"expected {_shaped(tuple(shape))}, got {_shaped(answer.shape)}")
+    _require_shape(answer.shape, shapes)
     return answer.applyfunc(lambda entry: as_expression(entry, symbols)).as_immutable()
+
+
+def _require_shape(shape, expected):
+    """Refuse a matrix of another shape, before its entries are read, which may be thousands."""
+    if expected != [None] and shape not in map(tuple, expected):
+        raise Invalid(f"expected {_shaped(tuple(expected[0]))}, got {_shaped(shape)}")
 
 
 def _shaped(shape):
