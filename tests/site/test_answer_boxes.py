@@ -410,6 +410,18 @@ def test_a_run_can_be_stopped(page, browser):
     assert "right" in page.run()
 
 
+def test_a_run_can_be_stopped_while_python_is_loaded(page, browser):
+    page.open(allowed=False)
+    page.all(".answer-box textarea")[0].click()
+    assert browser.wait_for("document.querySelector('.answer-question')")
+    browser.run("(window.workbookEngine.start = () => new Promise(() => {}))")
+    page.all(".answer-question button")[0].click()
+    page.all(".answer-run")[0].click()
+    assert browser.wait_for("!document.querySelector('.answer-stop').hidden")
+    page.all(".answer-stop")[0].click()
+    assert page.output() == "Stopped."
+
+
 def test_the_keyboard_alone_is_enough(page, browser):
     page.open()
     page.write("a_region", "if True:\n")

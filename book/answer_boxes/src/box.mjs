@@ -23,7 +23,7 @@ export class Box {
 
   build() {
     this.runButton = button("Run and check", "answer-run", () => this.run());
-    this.stopButton = button("Stop", "answer-stop", () => python.stop());
+    this.stopButton = button("Stop", "answer-stop", () => this.stop());
     this.stopButton.hidden = true;
     this.state = make("span", { className: "answer-state" });
     this.live = make("p", { className: "answer-live", role: "status" });
@@ -75,8 +75,14 @@ export class Box {
     this.setRunning(true);
     this.clear();
     this.live.textContent = "Running.";
+    const stopped = new Promise((_, reject) => {
+      this.stop = () => {
+        python.stop();
+        reject(new Error(python.failure("stopped")));
+      };
+    });
     try {
-      await this.page.startPython(this);
+      await Promise.race([this.page.startPython(this), stopped]);
       this.say("running …");
       const began = performance.now();
       const { result, error } = await this.runCells();
