@@ -16,6 +16,7 @@ from trajlib.pontryagin import (
     WrongStructure,
 )
 from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
+from trajlib.pontryagin.direct.first_integrals import refuse_first_integrals
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
 R = sp.Rational
@@ -90,6 +91,17 @@ def test_first_integrals_are_infeasible(plant, controls, start, target, message,
     )
     with pytest.raises(Infeasible, match=message):
         problem.solve()
+
+
+def test_targets_beside_first_integrals():
+    """Equations of the target alone, and a plant that nothing moves, lead to no wrong verdict."""
+    twice = [x**2 + y**2 - 1, x**2 + y**2 - 4]
+    with pytest.raises(Infeasible):
+        Problem(TURNED, ONE, {x: 1, y: 0}, twice, duration=1).solve()
+    resting = Problem({x: 0, y: u * x}, FREE, {x: 2, y: 0}, [x**2 - 4], running=u**2, duration=1)
+    refuse_first_integrals(NumericProblem(resting))
+    unmoved = Problem({x: 0}, FREE, {x: 2}, [x**2 - 4], running=(u - 1) ** 2, duration=1)
+    refuse_first_integrals(NumericProblem(unmoved))
 
 
 @pytest.mark.parametrize("angle", [R(1, 3), 1.1, sp.pi / 5])

@@ -142,6 +142,8 @@ def _first_integrals(problem, powers):
     p = sum((a * m for a, m in zip(coefficients, monomials)), sp.Integer(0))
     rate = sum((sp.diff(p, y) * f for y, f in zip(problem.state, problem.field)), sp.Integer(0))
     numerator = sp.numer(sp.together(rate))
+    if numerator == 0:
+        return monomials
     generators = [g for g in sp.Poly(numerator).gens if not g.free_symbols & set(coefficients)]
     equations = sp.Poly(numerator, *generators).coeffs()
     matrix, _ = sp.linear_eq_to_matrix(equations, coefficients)
@@ -168,11 +170,9 @@ def _restricted(problem, integrals):
             sum((a * e for a, e in zip(weights, terms)), sp.Integer(0))
             for terms in (integrals, values, rests)
         )
-        yield (
-            p,
-            value,
-            sp.expand(r + sum((a * e for a, e in zip(others, equations)), sp.Integer(0))),
-        )
+        r += sum((a * e for a, e in zip(others, equations)), sp.Integer(0))
+        if p != 0:
+            yield p, value, sp.expand(r)
 
 
 def _range(r):
