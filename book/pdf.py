@@ -2,7 +2,7 @@
 
     python book/pdf.py [CHAPTER ...]      for example: python book/pdf.py 1 5
 
-Chromium prints each page of the site, a problem's page in two parts: its statement, and its solution
+Chromium prints each page of the site, a problem's page in two parts: its statement, and its hints and solution
 for the appendix of the chapter. Then the pages of a document are joined: a link to another of them
 leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
 """
