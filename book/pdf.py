@@ -286,15 +286,15 @@ class Document:
         )
         return True
 
-    def number(self, printer, first):
-        """Print its running head and number on every sheet from a first one on."""
+    def number(self, printer):
+        """Print its running head and number on every sheet but the first."""
         sheets = "".join(
             f"<div class=sheet><div class=head><span>{html.escape(left)}</span><span>{html.escape(right)}</span></div>"
             f"<div class=foot>{number}</div></div>"
-            for number, (left, right) in enumerate(self.heads[first:], first + 1)
+            for number, (left, right) in enumerate(self.heads[1:], 2)
         )
         overlay = printer.typeset(sheets)
-        for sheet, head in zip(list(self.writer.pages)[first:], overlay.pages, strict=True):
+        for sheet, head in zip(list(self.writer.pages)[1:], overlay.pages, strict=True):
             sheet.merge_page(head)
             sheet.compress_content_streams()
 
@@ -352,7 +352,7 @@ def join(printer, title, groups, anchors, path):
         document.append(page, printed(page, sheets), chapter)
     document.bookmark(chapter_of)
     document.connect()
-    document.number(printer, lengths[front])
+    document.number(printer)
     document.write(path, title)
     print(f"{path.name}: {len(document.heads)} sheets, {path.stat().st_size / 1e6:.1f} MB")
 
