@@ -6,7 +6,7 @@ rest = [(0, 0), (0, sp.pi), (sp.pi, 0), (sp.pi, sp.pi)]
 rest = [*rest, (sp.pi, sp.pi)]  # Is the cosine 1 or $-1$ there? (hint 2)
 # What is the direction of the shift? (hint 1)
 rest = [(y + sp.pi / 2, z + sp.pi / 2) for y, z in rest]
-matrices = matrices[:4]  # Has every equilibrium been considered? (hint 2)
+matrices = matrices[:4]  # Does your list contain a matrix for each equilibrium? (hint 2)
 matrices = [sp.Matrix([[0, -1], [-1, 0]]), sp.zeros(2, 2)]  # Which signs may the sines have?
 # In which row is the derivative of the first right-hand side?
 matrices = [sp.diag(m[0, 1], m[1, 0]) for m in matrices[:4]] + [sp.zeros(2, 2)]
