@@ -63,8 +63,12 @@ def _corrected(equations, z, u, v, most):
     """Return (z, mu, dz/dt, dmu/dt, corrections) on the valley at t = v^T z, or None."""
     t, mu, size = v @ z, 0.0, np.inf
     for count in range(most):
-        r, J = equations.residual(z)
-        if not np.isfinite(J).all() or not np.all(z[equations.lengths] > 0):
+        if not np.all(z[equations.lengths] > 0):
+            return None
+        # Far from a solution values overflow: such a point is refused.
+        with np.errstate(invalid="ignore"):
+            r, J = equations.residual(z)
+        if not (np.isfinite(r).all() and np.isfinite(J).all()):
             return None
         bordered = np.block([[J, u[:, None]], [v, np.zeros(1)]])
         right = np.stack([np.append(-r - mu * u, t - v @ z), np.append(0 * r, 1.0)], axis=1)
