@@ -3,7 +3,7 @@
 (() => {
   /* The weight of each kind: what states a thing, then the problems about it, then what mentions it. */
   const WEIGHTS = {
-    Chapter: 3, Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .6, Function: .8,
+    Chapter: 3, Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .4, Function: .8,
     Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4, Check: .2,
   };
   /* What readers write before the number of a place, in English and Russian: "Theorem 1.2", "eq. (3.7)", "§3.2", "задача 5.26".
