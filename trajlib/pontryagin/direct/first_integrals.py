@@ -125,14 +125,15 @@ def _may_have_integrals(numeric, powers):
         ],
         axis=2,
     )
-    changes = np.einsum("kmi,ik->km", slopes, rates)
-    if not np.isfinite(changes).all():
-        return False
     # A monomial may be a first integral itself: its size is that of the terms, not of their sum.
-    terms = np.einsum("kmi,ik->km", np.abs(slopes), np.abs(rates))
-    changes /= np.maximum(np.linalg.norm(terms, axis=0), 1e-300)
-    sizes = np.linalg.svd(changes, compute_uv=False)
-    return bool(sizes[-1] <= UNCHANGED * sizes[0])
+    with np.errstate(over="ignore", invalid="ignore"):
+        changes = np.einsum("kmi,ik->km", slopes, rates)
+        sizes = np.linalg.norm(np.einsum("kmi,ik->km", np.abs(slopes), np.abs(rates)), axis=0)
+    if not (np.isfinite(changes).all() and np.isfinite(sizes).all()):
+        return False
+    changes /= np.maximum(sizes, 1e-300)
+    values = np.linalg.svd(changes, compute_uv=False)
+    return bool(values[-1] <= UNCHANGED * values[0])
 
 
 def _first_integrals(problem, powers):
@@ -147,7 +148,10 @@ def _first_integrals(problem, powers):
     generators = [g for g in sp.Poly(numerator).gens if not g.free_symbols & set(coefficients)]
     equations = sp.Poly(numerator, *generators).coeffs()
     matrix, _ = sp.linear_eq_to_matrix(equations, coefficients)
-    return [(sp.Matrix([monomials]) * w)[0] for w in matrix.nullspace()]
+    if not all(entry.is_Rational for entry in matrix):
+        return []  # without exact arithmetic in a field, elimination may grow without bound
+    rows = matrix.to_DM(sp.QQ).nullspace().to_Matrix().tolist()
+    return [sum((a * m for a, m in zip(row, monomials)), sp.Integer(0)) for row in rows]
 
 
 def _restricted(problem, integrals):
