@@ -167,7 +167,7 @@ def raw_derivatives(derived, u, max_terms=None):
         derivative = sp.expand(derived.derivative(derivatives[-1]), power_exp=False)
         if max_terms and len(sp.Add.make_args(derivative)) > max_terms:
             return (*derivatives, derivative), None
-        if len(derivatives) % 2 == 0 and not _vanishes(sp.diff(derivative, u)):
+        if len(derivatives) % 2 == 0 and not vanishes_identically(sp.diff(derivative, u)):
             return tuple(derivatives), derivative
         if derivative == 0:
             break
@@ -177,7 +177,7 @@ def raw_derivatives(derived, u, max_terms=None):
     return tuple(derivatives), None
 
 
-def _vanishes(expression):
+def vanishes_identically(expression):
     """Check whether an expression is zero identically.
 
     Values decide that it is not, much faster than rules decide that it is.
@@ -186,8 +186,8 @@ def _vanishes(expression):
         s: sp.Rational(2 * k + 3, 2 * k + 5)
         for k, s in enumerate(sorted(expression.free_symbols, key=str))
     }
-    value = expression.evalf(subs=point)
-    if value.is_number and abs(value) > 1e-10:
+    value = expression.evalf(50, subs=point)
+    if value.is_number and value.is_finite and abs(value) > 1e-40:
         return False
     return sp.simplify(expression) == 0
 

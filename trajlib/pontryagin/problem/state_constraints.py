@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib.flows import lie_derivative
+from trajlib.pontryagin.problem.singular import vanishes_identically
 from trajlib.pontryagin.problem.statement import Statement
 
 
@@ -80,7 +81,7 @@ def constraint_derivatives(problem: Statement, g: sp.Expr) -> tuple[sp.Expr, ...
     derivatives = [g]
     for _ in problem.state:
         derivatives.append(sp.expand(lie_derivative(derivatives[-1], problem.dynamics)))
-        if any(sp.simplify(sp.diff(derivatives[-1], u)) != 0 for u in problem.control):
+        if not all(vanishes_identically(sp.diff(derivatives[-1], u)) for u in problem.control):
             return tuple(derivatives)
     raise ValueError(
         f"path: no derivative of {g} up to the order {len(problem.state)} contains a control, so "
