@@ -169,13 +169,16 @@ def _extremal(numeric, samples, multipliers):
 
 
 def _segment_count(K, duration):
-    """Return the number of segments along which errors grow by CANCELLING at most, or None."""
-    from scipy.linalg import expm
+    """Return the number of segments along which errors grow by CANCELLING at most, or None.
 
-    K, count = np.array(K.evalf(), dtype=float), 1
+    Errors are measured in units in which K is balanced. The last variable, s, acts on no other.
+    """
+    from scipy.linalg import expm, matrix_balance
+
+    K, count = matrix_balance(np.array(K[:-1, :-1].evalf(), dtype=float), permute=False)[0], 1
     while count <= MAX_SEGMENTS:
         with np.errstate(all="ignore"):
-            largest = np.max(np.abs(expm(K * duration / count)[:-1, :-1]))
+            largest = np.max(np.abs(expm(K * duration / count)))
         if largest <= CANCELLING:
             return count
         count *= 2
