@@ -38,7 +38,7 @@ def refuse_first_integrals(numeric: NumericProblem) -> None:
         return
     _refuse_fixed_point(problem)
     if _is_linear(problem):
-        return  # for which `infeasibility` and `free_motion` are complete
+        return  # `infeasibility` and `free_motion` decide these
     powers = _powers(numeric.n)
     if powers is None or not _may_have_integrals(numeric, powers):
         return
@@ -52,8 +52,8 @@ def refuse_first_integrals(numeric: NumericProblem) -> None:
             continue
         raise Infeasible(
             f"no control leads to the target: {sp.sstr(p)} = {sp.sstr(value)} at all times, whatever the "
-            f"control (a first integral of the plant), and the target asks for {_in_words(low, high)}. Choose an end "
-            "that keeps to this equation."
+            f"control (a first integral of the plant), and the target asks for {_in_words(low, high)}. Choose "
+            "a target on which this equation can hold."
         )
 
 
@@ -67,7 +67,7 @@ def _refuse_fixed_point(problem):
             raise Infeasible(
                 "no control leads to the target: at the initial state all right-hand sides are zero "
                 f"whatever the control, so that it is never left, and {sp.sstr(g)} = 0 does not hold "
-                "there. Begin at another state."
+                "there. Choose another initial state."
             )
 
 
@@ -161,18 +161,18 @@ def _restricted(problem, integrals):
     linear = [g for g in polynomials if sp.Poly(g, *y).total_degree() == 1]
     solution = next(iter(sp.solve(linear, y, dict=True)), {})
     equations = [e for g in polynomials if (e := sp.expand(g.subs(solution))) != 0]
-    rests = [sp.expand(p.subs(solution)) for p in integrals]
+    restricted = [sp.expand(p.subs(solution)) for p in integrals]
     values = [p.subs(problem.initial) for p in integrals]
-    yield from zip(integrals, values, rests)
+    yield from zip(integrals, values, restricted)
     # Combinations that are constant: the coefficients of all products of powers but 1 cancel.
-    columns = [sp.Poly(e, *y).as_dict() for e in (*rests, *equations)]
+    columns = [sp.Poly(e, *y).as_dict() for e in (*restricted, *equations)]
     powers = sorted({power for column in columns for power in column if any(power)})
     matrix = sp.Matrix(len(powers), len(columns), lambda i, j: columns[j].get(powers[i], 0))
     for w in matrix.nullspace() if powers else []:
-        weights, others = list(w)[: len(rests)], list(w)[len(rests) :]
+        weights, others = list(w)[: len(restricted)], list(w)[len(restricted) :]
         p, value, r = (
             sum((a * e for a, e in zip(weights, terms)), sp.Integer(0))
-            for terms in (integrals, values, rests)
+            for terms in (integrals, values, restricted)
         )
         r += sum((a * e for a, e in zip(others, equations)), sp.Integer(0))
         if p != 0:
@@ -188,10 +188,10 @@ def _range(r):
     if hessian.free_symbols or hessian.det() == 0:
         return -sp.oo, sp.oo
     slope = sp.Matrix([r]).jacobian(symbols).T
-    least = r.subs(dict(zip(symbols, -hessian.LUsolve(slope.subs(dict.fromkeys(symbols, 0))))))
+    extreme = r.subs(dict(zip(symbols, -hessian.LUsolve(slope.subs(dict.fromkeys(symbols, 0))))))
     if hessian.is_positive_definite:
-        return least, sp.oo
-    return (-sp.oo, least) if hessian.is_negative_definite else (-sp.oo, sp.oo)
+        return extreme, sp.oo
+    return (-sp.oo, extreme) if hessian.is_negative_definite else (-sp.oo, sp.oo)
 
 
 def _in_words(low, high):
