@@ -4,14 +4,14 @@ numbers first, then seconds.
 One series: 100,000 steps of 4 states and 2 outputs, time-invariant, against the compiled filter of
 statsmodels and filterpy's predict and update, a call each a step. Many series: 1,000 of 1,000 steps
 at once, against simdkalman. Further, what they have no shortcut for: a tenth of the measurements
-missing at random, and matrices of each step's own. Last, measurements at irregular moments side by
-side with cd-dynamax, in estimation_irregular.py; `--part irregular` runs this alone. `--part gaps`
-compares with loops in plain NumPy, for 2 to 32 states, with gaps and at irregular times
-(estimation_gaps.py), and needs no peer. The peers live in an environment of their own, made on the
-first run in _build/filter-peers or where `--environment` says; one that cannot be installed is named
-and left out. Numbers are handed over in files. The clock is the processor's, inside the process that
-computes, the least of several runs. One thread for linear algebra: more only get in one another's
-way on matrices of this size.
+missing at random, and matrices of each step's own. Five cases of filter and smoother for 2 to 32
+states against statsmodels and against loops in plain NumPy (estimation_gaps.py); `--part gaps` runs
+the loops alone, also at irregular times, and needs no peer. Last, measurements at irregular moments
+side by side with cd-dynamax, in estimation_irregular.py; `--part irregular` runs this alone. The
+peers live in an environment of their own, made on the first run in _build/filter-peers or where
+`--environment` says; one that cannot be installed is named and left out. Numbers are handed over in
+files. The clock is the processor's, inside the process that computes, the least of several runs.
+One thread for linear algebra: more only get in one another's way on matrices of this size.
 
     OPENBLAS_NUM_THREADS=1 .venv/bin/python benchmarks/estimation.py
 """
@@ -35,6 +35,8 @@ PACKAGES = {
     "statsmodels": "statsmodels",
     irregular.NAME: "cd-dynamax==0.5.0",
 }
+#: What the interpreter of the peers is asked for the five cases of statsmodels.
+CASES = "statsmodels-cases"
 STEPS, SERIES, LENGTH, RUNS = 100_000, 1_000, 1_000, 3
 
 
@@ -73,6 +75,9 @@ def peer(name, folder):
     """Run in the peers' environment: estimates and covariances to a file, seconds to the output."""
     if name == irregular.NAME:
         print(json.dumps(irregular.peer(folder, seconds)))
+        return
+    if name == CASES:
+        print(json.dumps(estimation_gaps.of_statsmodels(folder, seconds)))
         return
     data = np.load(folder / "data.npz")
     run = {"filterpy": filterpy, "simdkalman": simdkalman, "statsmodels": statsmodels}[name]
@@ -266,5 +271,8 @@ if __name__ == "__main__":
             folder = Path(name)
             if arguments.part == "all":
                 compare(python, peers, folder)
+                if "statsmodels" in peers:
+                    taken = asked(python, CASES, folder)
+                    estimation_gaps.beside_statsmodels(folder, taken, seconds)
             if irregular.NAME in peers:
                 irregular.side_by_side(folder, lambda name: asked(python, name, folder), seconds)

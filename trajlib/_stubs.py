@@ -8,18 +8,17 @@ import importlib
 import pkgutil
 from pathlib import Path
 
-import trajlib
 from trajlib._lazy import home_of
 
 #: A longer import is broken as the formatter breaks it.
 WIDTH = 100
 
 
-def lazy_packages():
-    """Return the names of all packages of trajlib that have a table of lazy names."""
-    names = ["trajlib"] + [
+def lazy_packages(root="trajlib"):
+    """Return the names of all packages of a distribution's package that have a table of lazy names."""
+    names = [root] + [
         module.name
-        for module in pkgutil.walk_packages(trajlib.__path__, "trajlib.")
+        for module in pkgutil.walk_packages(importlib.import_module(root).__path__, f"{root}.")
         if module.ispkg
     ]
     return [name for name in names if hasattr(importlib.import_module(name), "_lazy_home")]
@@ -32,16 +31,21 @@ def stub_path(package):
 
 def stub_text(package):
     """Return the text of a package's stub."""
-    table = importlib.import_module(package)._lazy_home
-    lines = sorted(
-        (package if module is None else home_of(package, name), _rank(name), name)
-        for name, module in table.items()
-    )
     text = "# Written by `python -m trajlib._stubs`.\n"
-    text += "".join(_import_line(module, name) for module, _, name in lines)
+    text += imports(package, importlib.import_module(package)._lazy_home)
     if package == "trajlib":
         text += "\n__version__: str\n"
     return text
+
+
+def imports(package, names):
+    """Return the lines that import lazy names of a package, as the linter sorts them."""
+    table = importlib.import_module(package)._lazy_home
+    lines = sorted(
+        (package if table[name] is None else home_of(package, name), _rank(name), name)
+        for name in names
+    )
+    return "".join(_import_line(module, name) for module, _, name in lines)
 
 
 def _rank(name):

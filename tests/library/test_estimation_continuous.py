@@ -494,5 +494,5 @@ def test_covariance_consistency_of_right_and_wrong_covariances():
     drawn = np.random.default_rng(8).multivariate_normal([0, 0], [[2, 1], [1, 3]], 20000)
     assert estimation.covariance_consistency(drawn, [[2, 1], [1, 3]])
     assert not estimation.covariance_consistency(drawn, [[2.1, 1.05], [1.05, 3.15]])
-    with pytest.raises(ValueError, match="covariance: expected 2 x 2"):
+    with pytest.raises(ValueError, match="covariance: expected a matrix 2 x 2"):
         estimation.covariance_consistency(drawn, [[1]])

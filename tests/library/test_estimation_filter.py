@@ -10,9 +10,7 @@ from trajlib import estimation
 from trajlib.estimation import (
     KalmanFilter,
     Moments,
-    discrete_filter,
-    filter_covariances,
-    lane_recursion,
+    segments,
 )
 
 
@@ -287,7 +285,7 @@ def test_overflowing_covariance_is_rejected():
         model.run(np.zeros(800), Moments([0, 0], sp.eye(2)))
 
 
-@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1), (9, 1), (13, 2)])
+@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1), (9, 1), (16, 2)])
 @pytest.mark.parametrize("varying, series", [(False, None), (True, None), (False, 3), (False, 6)])
 def test_fast_steps_agree_with_single_ones(n, m, varying, series, monkeypatch):
     count, rng = 1300, np.random.default_rng(n + m)
@@ -300,9 +298,7 @@ def test_fast_steps_agree_with_single_ones(n, m, varying, series, monkeypatch):
     missing = np.broadcast_to(rng.random((count, m)) < 0.2, z.shape)
     model, start = KalmanFilter(Phi, H, Q, R), Moments(rng.normal(size=n), np.eye(n))
     compiled = model.run(z, start, missing, inputs)
-    for module in (filter_covariances, discrete_filter):
-        monkeypatch.setattr(module, "COMPILED_FROM", np.inf)
-        monkeypatch.setattr(module, "LANES_FROM", np.inf)
+    monkeypatch.setattr(segments, "LEAST_STEPS", np.inf)
     stepped = model.run(z, start, missing, inputs)
     assert len(np.unique(compiled.matrix_index)) == count
     for name in ("predicted", "estimates", "innovations", "log_likelihood"):
@@ -314,28 +310,48 @@ def test_fast_steps_agree_with_single_ones(n, m, varying, series, monkeypatch):
         np.testing.assert_allclose(compiled_part, stepped_part, atol=1e-11)
 
 
-def test_a_filter_that_forgets_slowly_takes_single_steps():
-    n, count = 9, 900
+@pytest.mark.parametrize("n", [9, 17])
+def test_a_filter_that_forgets_slowly_agrees_with_a_plain_loop(n):
+    count = 900
     Phi, Q, H = 0.9999 * np.eye(n), 1e-6 * np.eye(n), np.ones((1, n))
     missing = np.random.default_rng(1).random((count, 1)) < 0.2
     model, start = KalmanFilter(Phi, H, Q, 1.0), Moments(np.zeros(n), np.eye(n))
-    assert lane_recursion.covariance_lanes(model, np.eye(n), missing) is None
     z = np.random.default_rng(2).normal(size=(count, 1))
     run = model.run(z, start, missing)
     estimates = plain_loop(Phi, H, Q, np.eye(1), z, start, missing[:, 0])[2]
     np.testing.assert_allclose(run.estimates, estimates, atol=1e-11)
 
 
-def test_lanes_meet_what_single_steps_give():
+def test_segments_meet_what_single_steps_give():
     Phi, H, Q, R = model_of(4, 12, 2)
     missing = np.random.default_rng(3).random((2000, 2)) < 0.2
-    lanes = lane_recursion.covariance_lanes(KalmanFilter(Phi, H, Q, R), np.eye(12), missing)
+    parts = [np.empty((2000, 12, columns)) for columns in (12, 12, 2)]
+    assert segments.covariance_segments((Phi, H, Q, R), np.eye(12), missing, 40, parts)
     P = np.eye(12)
     for k in range(2000):
-        np.testing.assert_allclose(lanes[0][k], P, atol=1e-11)
+        np.testing.assert_allclose(parts[0][k], P, atol=1e-11)
         rows = ~missing[k]
         gain = np.linalg.solve(H[rows] @ P @ H[rows].T + R[np.ix_(rows, rows)], H[rows] @ P).T
         P = Phi @ (P - gain @ H[rows] @ P) @ Phi.T + Q
+
+
+@pytest.mark.parametrize("n", [2, 6])
+def test_a_record_that_never_settles_is_compiled_after_some_steps(n, monkeypatch):
+    """Without noise the covariance tends to zero, but never is constant."""
+    Phi, H, _, R = model_of(n, n, 2)
+    Phi = np.linalg.qr(Phi)[0]
+    model, start = KalmanFilter(Phi, H, np.zeros((n, n)), R), Moments(np.zeros(n), np.eye(n))
+    z = np.random.default_rng(n).normal(size=(2000, 2))
+    missing = np.zeros((2000, 2), dtype=bool)
+    missing[[200, 1100]] = True
+    run = model.run(z, start, missing)
+    monkeypatch.setattr(segments, "LEAST_STEPS", np.inf)
+    stepped = model.run(z, start, missing)
+    assert len(np.unique(run.matrix_index)) == len(np.unique(stepped.matrix_index)) == 2000
+    for name in ("estimates", "covariances", "gains", "log_likelihood", "normalised_innovations"):
+        np.testing.assert_allclose(
+            getattr(run, name), getattr(stepped, name), rtol=1e-9, atol=1e-13
+        )
 
 
 def test_compiled_steps_refuse_an_overflowing_covariance():
@@ -343,3 +359,40 @@ def test_compiled_steps_refuse_an_overflowing_covariance():
     missing[:3] = False
     with pytest.raises(ValueError, match="lost its definiteness"):
         KalmanFilter(2, 1, 1, 1).run(np.zeros(2000), Moments(0, 1), missing)
+
+
+@pytest.mark.parametrize("gaps", [0.0, 0.2])
+@pytest.mark.parametrize("n", [3, 7])
+def test_maps_of_segments_compose_where_nothing_is_forgotten(n, gaps):
+    """Without noise the initial covariance has influence to the end, in units far apart."""
+    count, rng = 1600, np.random.default_rng(n)
+    _, H, _, R = model_of(n, n, 2)
+    units = np.logspace(-4, 4, n)
+    Phi = np.linalg.qr(rng.normal(size=(n, n)))[0] * units[:, None] / units
+    H, P = H / units, np.diag(units**2)
+    missing = rng.random((count, 2)) < gaps
+    parts = [np.empty((count, n, columns)) for columns in (n, n, 2)]
+    arguments = (Phi, H, np.zeros((n, n)), R), P, missing, 40, parts
+    assert segments.covariance_segments(*arguments)
+    scale = np.outer(units, units)
+    for k in range(count):
+        np.testing.assert_allclose(parts[0][k] / scale, P / scale, rtol=1e-9, atol=1e-13)
+        rows = ~missing[k]
+        gain = np.linalg.solve(H[rows] @ P @ H[rows].T + R[np.ix_(rows, rows)], H[rows] @ P).T
+        reduction = np.eye(n) - gain @ H[rows]
+        P = reduction @ P @ reduction.T + gain @ R[np.ix_(rows, rows)] @ gain.T
+        P = Phi @ P @ Phi.T
+
+
+def test_maps_spoilt_by_rounding_are_refused_and_the_steps_taken_one_by_one():
+    """Unstable without noise: from P = 0 nothing is corrected, and the product of the matrices grows."""
+    count, H, R, Q = 1200, np.array([[1.0, 1.0]]), np.eye(1), np.zeros((2, 2))
+    Phi = np.array([[3.0, 1.0], [1.0, 2.0]])
+    missing = np.random.default_rng(5).random((count, 1)) < 0.1
+    parts = [np.empty((count, 2, columns)) for columns in (2, 2, 1)]
+    with np.errstate(all="ignore"):
+        assert not segments.covariance_segments((Phi, H, Q, R), np.eye(2), missing, 30, parts)
+    start, z = Moments(np.zeros(2), np.eye(2)), np.zeros((count, 1))
+    run = KalmanFilter(Phi, H, Q, R).run(z, start, missing)
+    covariances = plain_loop(Phi, H, Q, R, z, start, missing[:, 0])[3]
+    np.testing.assert_allclose(run.covariances, covariances, rtol=1e-8)

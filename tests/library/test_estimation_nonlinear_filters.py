@@ -134,7 +134,7 @@ def test_errors_of_a_vehicle_seen_by_range_and_bearing_agree_with_the_covariance
         ({"Q": -1}, "Q: expected a positive semidefinite"),
         ({"R": np.eye(2)}, "R: expected a matrix 1 x 1"),
         ({"f": [sp.log(x - 5)]}, "f: not a finite real number"),
-        ({"f": [x + u], "inputs": [u]}, "inputs: expected 1 numbers"),
+        ({"f": [x + u], "inputs": [u]}, "inputs: expected 1 number for"),
         ({"z": np.zeros((2, 3, 1))}, "run each series by itself"),
     ],
 )

@@ -7,7 +7,7 @@ import scipy.linalg
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments
+from trajlib.estimation import KalmanFilter, Moments, segments
 
 
 def joint(Phis, Hs, Qs, Rs, start, z, missing, inputs):
@@ -78,6 +78,33 @@ def test_smoother_of_a_long_run_agrees_with_a_plain_loop():
         P = run.covariances[k] + C @ (P - before) @ C.T
         np.testing.assert_allclose(smoothed.estimates[k], x, atol=1e-10)
         np.testing.assert_allclose(smoothed.covariances[k], P, atol=1e-10)
+
+
+@pytest.mark.parametrize("varying, series", [(False, None), (True, None), (False, 2)])
+@pytest.mark.parametrize("variance, noise", [(1.0, 1.0), (1e8, 1.0), (1e8, 0.0)])
+def test_a_long_record_is_smoothed_as_by_single_steps(
+    varying, series, variance, noise, monkeypatch
+):
+    """The variance of a state not yet observed falls by many powers of ten."""
+    count, rng = 1250, np.random.default_rng(20)
+    Phi, H, Q, R = random_model(21, 4)
+    Phi = np.linalg.qr(Phi)[0]
+    if varying:
+        Q, R = Q * rng.uniform(0.5, 2, (count, 1, 1)), R * rng.uniform(0.5, 2, (count, 1, 1))
+    z = rng.normal(size=(count, 2) if series is None else (series, count, 2))
+    missing = np.broadcast_to(rng.random((count, 2)) < 0.2, z.shape)
+    run = KalmanFilter(Phi, H, noise * Q, R).run(
+        z, Moments(np.zeros(4), variance * np.eye(4)), missing
+    )
+    smoothed = run.smoothed()
+    monkeypatch.setattr(segments, "LEAST_STEPS", np.inf)
+    stepped = run.smoothed()
+    deviations = np.sqrt(np.einsum("...ii->...i", stepped.covariances))
+    errors = (smoothed.estimates - stepped.estimates) / deviations
+    changes = smoothed.covariances - stepped.covariances
+    assert np.abs(errors).max() < 1e-9
+    assert np.abs(changes / (deviations[..., None] * deviations[..., None, :])).max() < 1e-9
+    assert (smoothed.estimates != stepped.estimates).any()  # by another recursion
 
 
 def test_many_series_are_smoothed_like_single_ones():

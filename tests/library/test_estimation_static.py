@@ -41,7 +41,7 @@ def test_correlation_of_floats_is_that_of_numpy():
         ([0, 0], [[1, 2], [0, 1]], "symmetric"),
         ([0, 0], [[1, 2], [2, 1]], "semidefinite"),
         ([0, 0], np.array([[1.0, 2.0], [2.0, 1.0]]), "semidefinite"),
-        ([0], [[1, 0], [0, 1]], "1 x 1"),
+        ([0], [[1, 0], [0, 1]], "mean: expected 2 components"),
         ([0, 0], np.array([[1.0, 1e-3], [0.0, 1.0]]), "symmetric"),
         ([0, 0], np.array([[np.nan, 0], [0, 1]]), "finite"),
         ([0, 0], [[0, 1], [1, 5]], "semidefinite"),

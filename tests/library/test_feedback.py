@@ -36,6 +36,17 @@ def with_hidden_part(observable, unobservable, outputs, seed):
     raise AssertionError("no such system was drawn")
 
 
+def test_a_double_eigenvalue_is_moved_by_two_outputs_together():
+    """Its eigenvectors are a plane, so that no single output, or sum of outputs, observes the pair."""
+    T = sp.Matrix([[1, 2, 0], [0, 1, 1], [1, 0, 1]])
+    A, H = T.inv() * sp.diag(3, 3, -1) * T, sp.Matrix([[1, 0, 2], [0, 1, 1]])
+    family = feedback.observer(A, H, eigenvalues=[-1, -2, -5])
+    wanted = sp.expand((lam + 1) * (lam + 2) * (lam + 5))
+    assert (A - family.gain * H).charpoly(lam).as_expr() == wanted
+    dual = feedback.regulator(A.T, H.T, eigenvalues=[-1, -2, -5])
+    assert (A.T + H.T * dual.gain).charpoly(lam).as_expr() == wanted
+
+
 @pytest.mark.parametrize(
     "observable, unobservable, outputs, seed",
     [
@@ -71,7 +82,7 @@ def test_a_family_for_one_output_is_complete(observable, unobservable, seed):
     """All solutions of the linear equations for the entries of L are members."""
     A, H, _A22 = with_hidden_part(observable, unobservable, 1, seed)
     family = (
-        feedback.observer(A, H, margin=1)
+        feedback.observer(A, H, degree=1)
         if feedback.best_margin(A, H=H) >= 1
         else feedback.observer(A, H, (lam + 1) ** observable, lam)
     )
@@ -102,22 +113,22 @@ def test_a_polynomial_of_full_degree_has_to_keep_the_fixed_factor():
     assert sp.expand(family.polynomial - (lam + 1) * (lam + 4)) == 0 and family.fixed == lam + 1
     with pytest.raises(ValueError, match=r"lambda \+ 1 is fixed"):
         feedback.observer(A, H, (lam + 2) * (lam + 4), lam)
-    with pytest.raises(ValueError, match="margin of at most 1"):
-        feedback.observer(A, H, margin=2)
+    with pytest.raises(ValueError, match="degree of stability of at most 1"):
+        feedback.observer(A, H, degree=2)
 
 
-def test_an_unstable_fixed_mode_may_stay_but_no_margin_is_given():
+def test_an_unstable_fixed_mode_may_stay_but_no_degree_is_given():
     A, H = sp.Matrix([[1, 1], [0, 1]]), sp.Matrix([[0, 1]])
     assert feedback.observer(A, H, eigenvalues=[-3]).fixed == lam - 1
     with pytest.raises(ValueError, match="not detectable"):
-        feedback.observer(A, H, margin=0)
+        feedback.observer(A, H, degree=0)
 
 
 @pytest.mark.parametrize(
     "arguments, message",
     [
         ({}, "one of the three"),
-        ({"margin": 1, "eigenvalues": [-1, -1]}, "one of the three"),
+        ({"degree": 1, "eigenvalues": [-1, -1]}, "one of the three"),
         ({"eigenvalues": [-1]}, "degree 2"),
         ({"eigenvalues": [-1, sp.I]}, "conjugate"),
         ({"polynomial": lam**2 + sp.Symbol("b")}, "say which symbol"),
@@ -130,7 +141,7 @@ def test_invalid_prescriptions(arguments, message):
 
 def test_float_arrays_are_refused():
     with pytest.raises(ValueError, match="exact"):
-        feedback.regulator(np.eye(2), np.array([[1.0], [2.0]]), margin=1)
+        feedback.regulator(np.eye(2), np.array([[1.0], [2.0]]), degree=1)
 
 
 @pytest.mark.parametrize(
@@ -179,7 +190,7 @@ def test_stabilising_gains_satisfy_the_hurwitz_criterion():
     A, B, H = sp.Matrix([[0, 1], [-2, 3]]), sp.Matrix([0, 1]), sp.Matrix([[1, 1]])
     assert feedback.stabilising_gains(A, B, [k1], H=H).region == (k1 < -3)  # example 7
     assert feedback.stabilising_gains(A, B, [k1], H=sp.Matrix([[1, 0]])).region == sp.false
-    full = feedback.stabilising_gains(A, B, [k1, k2], margin=1)
+    full = feedback.stabilising_gains(A, B, [k1, k2], degree=1)
     for point in ([-3, -6], [-30, -6], [-1, -6], [-3, -4]):
         roots = np.linalg.eigvals(np.array(A + B * sp.Matrix([point]), dtype=float))
         assert full.contains(point) == (max(roots.real) < -1)
@@ -202,7 +213,7 @@ def test_a_structured_gain_of_parameters():
 
 def test_the_spectrum_of_a_loop_with_an_estimate_separates():
     A, B, H = whole_matrix(3, 3, 5), whole_matrix(3, 1, 6), whole_matrix(1, 3, 9)
-    K, L = feedback.regulator(A, B, margin=1).gain, feedback.observer(A, H, margin=2).gain
+    K, L = feedback.regulator(A, B, degree=1).gain, feedback.observer(A, H, degree=2).gain
     loop = feedback.feedback_by_estimate(A, B, H, K, L)
     product = sp.expand(sp.prod(loop.polynomials(lam)))
     assert product == sp.expand((lam + 1) ** 3 * (lam + 2) ** 3)
@@ -215,9 +226,9 @@ def test_the_spectrum_of_a_loop_with_an_estimate_separates():
 
 def test_a_constant_error_of_the_measurement_is_estimated_too():
     A, B, H = sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), sp.Matrix([[1, 1]])
-    K = feedback.regulator(A, B, margin=1).gain
+    K = feedback.regulator(A, B, degree=1).gain
     wide = structure.with_measurement_error(A, sp.Matrix([[1, 0]]), sp.zeros(1), [1])
-    L = feedback.observer(*wide, margin=2).gain
+    L = feedback.observer(*wide, degree=2).gain
     loop = feedback.feedback_by_estimate(A, B, sp.Matrix([[1, 0]]), K, L, S=[[0]], c=[1])
     assert loop.errors.shape == (5, 5) and loop.estimates.shape == (6, 6)
     assert (
@@ -241,7 +252,7 @@ def test_a_constant_error_of_the_measurement_is_estimated_too():
 @pytest.mark.parametrize("n, m, seed", [(2, 1, 21), (3, 1, 22), (3, 2, 23), (4, 2, 24)])
 def test_the_error_of_a_reduced_observer_has_the_spectrum(n, m, seed):
     A, B, H = whole_matrix(n, n, seed), whole_matrix(n, 1, seed + 1), whole_matrix(m, n, seed + 2)
-    found = feedback.reduced_observer(A, B, H, margin=3)
+    found = feedback.reduced_observer(A, B, H, degree=3)
     assert sp.expand(found.matrix.charpoly(lam).as_expr() - (lam + 3) ** (n - m)) == 0
     # x - (estimate) obeys d' = M d for any x, p and u
     x, p, u = (
@@ -262,11 +273,11 @@ def test_the_error_of_a_reduced_observer_has_the_spectrum(n, m, seed):
 
 def test_reduced_observer_needs_unmeasured_states():
     with pytest.raises(ValueError, match="fewer independent outputs"):
-        feedback.reduced_observer(sp.eye(2), sp.Matrix([1, 0]), sp.eye(2), margin=1)
+        feedback.reduced_observer(sp.eye(2), sp.Matrix([1, 0]), sp.eye(2), degree=1)
 
 
 def test_display():
-    family = feedback.observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), margin=1)
+    family = feedback.observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), degree=1)
     assert "lambda" in family._repr_latex_() and family.simplest.free_symbols == set()
     assert (
         "fixed"
@@ -287,5 +298,5 @@ def test_several_fixed_eigenvalues_are_listed_together():
     assert "lambda = -1, lambda = -2 are fixed" in found.reason and found.margin == 1
     assert (
         r"\mathrm{free}_{1}"
-        in feedback.regulator(sp.diag(-1, 3), sp.Matrix([0, 1]), margin=1)._repr_latex_()
+        in feedback.regulator(sp.diag(-1, 3), sp.Matrix([0, 1]), degree=1)._repr_latex_()
     )

@@ -8,6 +8,7 @@ import scipy.linalg
 import sympy as sp
 
 from trajlib import feedback, structure
+from trajlib.feedback.indefinite_cost import _exact_point
 
 A = np.array([[0.0, 1, 0], [-2, -0.3, 1], [0.5, 0, -1]])
 B = np.array([[0.0, 1], [1, 0], [0, 0.5]])
@@ -270,6 +271,29 @@ def test_indefinite_cost_up_to_a_final_time(seed):
         assert float(law.reason.split()[-1]) == pytest.approx(escape, abs=final / 1000)
 
 
+@pytest.mark.parametrize("forever", [np.inf, sp.oo])
+def test_an_infinite_time_to_go_is_refused_with_the_function_for_it(forever):
+    for one in (1, 1.0):
+        with pytest.raises(ValueError, match="time_to_go: expected a finite time, got oo; lqr"):
+            feedback.finite_lqr(one, 1, 1, 1, 0, forever)
+
+
+@pytest.mark.parametrize("beyond, verdict", [(-1e-8, "law"), (1e-8, "escapes to infinity")])
+def test_an_escape_near_the_final_time(beyond, verdict):
+    """S = -tan(T - t) for x' = u and the cost u^2 - x^2: at pi/2 floats do not decide."""
+    escape = np.pi / 2
+    assert verdict in feedback.finite_lqr(0.0, 1, -1, 1, 0, escape * (1 + beyond)).reason
+    with pytest.raises(np.linalg.LinAlgError, match="floats do not tell"):
+        feedback.finite_lqr(0.0, 1, -1, 1, 0, escape * (1 + beyond / 20))
+
+
+@pytest.mark.parametrize("frequency", [-0.7, 0.3, 2.5])
+def test_a_rational_point_of_the_circle_has_the_frequency(frequency):
+    point = _exact_point(frequency, True)
+    assert sp.expand(point * sp.conjugate(point)) == 1
+    assert np.angle(complex(point)) == pytest.approx(frequency, rel=1e-15)
+
+
 def test_exact_indefinite_cost_up_to_a_final_time():
     """J = int (u^2 - x^2) dt, S = -tan(T - t); and two oscillators with escapes at pi/2 and pi."""
     assert feedback.finite_lqr(0, 1, -1, 1, 0, 1).cost[0].equals(-sp.tan(1))
@@ -323,7 +347,8 @@ def test_indefinite_cost_of_some_steps(exact):
         form += sum((x.T * G * x for x in blocks[:-1]), sp.zeros(steps))
         assert bool(law) == bool(form.is_positive_definite)
     assert any(laws) and not all(laws)
-    assert "no lower bound" in laws[0].reason
+    first = 6 - max(k for k, law in enumerate(laws) if not law)
+    assert f"with {first} steps to go the cost has no lower bound" in laws[0].reason
     assert "no single law" in feedback.discrete_finite_lqr(1, 1, 0, 1, -1, 1)[0].reason
     with pytest.raises(np.linalg.LinAlgError, match="not found"):
         feedback.discrete_finite_lqr(1.0, 1, 0, 1, -1, 1)

@@ -40,20 +40,21 @@ def cost_of_loop(system, controller):
 def test_controller_closes_the_loop(function, dt, seed):
     system = plant(seed, dt)
     feedback = function(system, *WEIGHTS, *NOISES)
-    closed = control.feedback(system, feedback.state_space, sign=1)
+    closed = control.feedback(system, feedback.controller, sign=1)
+    assert np.array_equal(closed.A, control.feedback(system, -feedback.controller).A)
     assert closed.dt == dt
     poles = np.concatenate(
         [np.linalg.eigvals(part) for part in (feedback.regulator.loop, feedback.filter.errors)]
     )
     np.testing.assert_allclose(np.poly(closed.A), np.poly(poles), rtol=1e-8, atol=1e-9)
-    assert feedback.cost == pytest.approx(cost_of_loop(system, feedback.state_space), rel=1e-9)
+    assert feedback.cost == pytest.approx(cost_of_loop(system, feedback.controller), rel=1e-9)
 
 
 @pytest.mark.parametrize("function, dt", [(lqg, 0), (discrete_lqg, True)])
 def test_no_other_controller_costs_less(function, dt):
     system, rng = plant(4, dt), np.random.default_rng(5)
     feedback = function(system, *WEIGHTS, *NOISES)
-    best = feedback.state_space
+    best = feedback.controller
     least = cost_of_loop(system, best)
     for _ in range(20):
         matrices = [
@@ -65,11 +66,14 @@ def test_no_other_controller_costs_less(function, dt):
 
 def test_exact_controller_and_its_refusals():
     exact = discrete_lqg(sp.Rational(3, 2), 1, 1, 1, 1, 1, 1)
+    K, L = exact.regulator.gain, exact.filter.gain
+    assert sp.simplify(exact.matrices[3][0] - K[0] * L[0]) == 0
+    assert not lqg([[1.0]], [[0.0]], 1, 1, 1, 1, 1).matrices
     floats = discrete_lqg(1.5, 1, 1, 1, 1, 1, 1)
     assert float(exact.cost) == pytest.approx(floats.cost, rel=1e-12)
-    np.testing.assert_allclose(exact.state_space.D, floats.state_space.D, rtol=1e-12)
+    np.testing.assert_allclose(exact.controller.D, floats.controller.D, rtol=1e-12)
     a = sp.Symbol("a", positive=True)
     with pytest.raises(ValueError, match="substitute numbers"):
-        _ = lqg(a, 1, 1, 1, 1, 1, 1).state_space
+        _ = lqg(a, 1, 1, 1, 1, 1, 1).controller
     with pytest.raises(ValueError, match="there is no feedback: .*not stabilisable"):
-        _ = lqg([[1.0]], [[0.0]], 1, 1, 1, 1, 1).state_space
+        _ = lqg([[1.0]], [[0.0]], 1, 1, 1, 1, 1).controller

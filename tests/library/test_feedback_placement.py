@@ -9,6 +9,7 @@ import scipy.signal
 import sympy as sp
 
 from trajlib.feedback import place, regulator
+from trajlib.feedback.pole_placement import _again, _in_units
 
 
 def chain(n):
@@ -30,6 +31,34 @@ def random_pair(rng, n, s, spread=0.0):
     return A * units / units[:, None], B / units[:, None] * 10.0 ** rng.uniform(
         -spread, spread, size=s
     )
+
+
+@pytest.mark.parametrize("n, s", [(3, 1), (6, 2), (12, 3)])
+def test_good_units_undo_bad_ones(n, s):
+    """Up to a factor that all have, the units D of x = D y are those that the states were given."""
+    rng = np.random.default_rng(n)
+    A, B = random_pair(rng, n, s)
+    given = 10.0 ** rng.uniform(-5, 5, size=n)
+    A, B = A * given / given[:, None], B / given[:, None]
+    scaled, inputs, units, pushes, rate = _in_units(A, B)
+    assert (units * given).max() < 10 * (units * given).min()
+    assert scaled * units[:, None] / units * rate == pytest.approx(A, rel=1e-14)
+    assert inputs * units[:, None] * rate / pushes == pytest.approx(B, rel=1e-14)
+
+
+def test_one_correction_of_the_eigenvectors_takes_most_of_the_error_off():
+    """In whatever order the eigenvalues are prescribed: here one further than those of the loop."""
+    rng = np.random.default_rng(4)
+    A, B = random_pair(rng, 6, 2)
+    gain = place(A, B, -np.arange(1.0, 7)).gain
+    near = gain * (1 + 1e-6 * rng.normal(size=gain.shape))
+    requested = np.roll(np.round(np.linalg.eigvals(A + B @ near).real), 1)
+    assert sorted(requested) == [-6, -5, -4, -3, -2, -1]
+    corrected = _again(A, B, near, requested)
+    before, after = (distance(A, B, K, requested) for K in (near, corrected))
+    assert 1e-7 < before < 1e-3 and after < 1e-3 * before
+    # eigenvectors in another order give the eigenvalues too, but far from the gain
+    assert np.linalg.norm(corrected - gain) < 1e-3 * np.linalg.norm(gain)
 
 
 @pytest.mark.parametrize("n", [1, 2, 5, 12, 20, 40])

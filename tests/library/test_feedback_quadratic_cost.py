@@ -1,5 +1,8 @@
 """Quadratic regulators against python-control, Kleinman's equation and integration."""
 
+import sys
+from pathlib import Path
+
 import control
 import numpy as np
 import pytest
@@ -7,6 +10,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.linalg import solve_continuous_lyapunov
 
+import trajlib
 from trajlib import feedback
 
 A = sp.Matrix([[0, 1, 0], [1, 0, 2], [0, -1, 1]])
@@ -63,6 +67,12 @@ def test_mode_unobservable_in_the_cost_is_stabilised_or_left_alone(mode, attaine
             np.testing.assert_allclose(difference, 0, atol=1e-12)
         elif mode == "1":  # the stabilising solution is the greater one
             assert np.linalg.eigvalsh(difference)[0] > -1e-12 and difference[0, 0] > 1
+
+
+def test_a_law_is_shown_and_where_there_is_none_the_reason():
+    law, none = feedback.lqr(1, 1, 0, 1), feedback.lqr(sp.diag(1, 2), [0, 1], sp.eye(2), 1)
+    assert "S = " in law._repr_markdown_() and law.reason not in law._repr_markdown_()
+    assert "not stabilisable" in none._repr_markdown_() and "$" not in none._repr_markdown_()
 
 
 def test_unsolvable_problems_have_a_reason():
@@ -185,3 +195,21 @@ def test_finite_discrete_laws_are_the_minimum_over_all_controls():
     np.testing.assert_allclose(far.gain, limit.gain, rtol=1e-9)
     with pytest.raises(ValueError, match="steps: expected 1 or more"):
         feedback.discrete_finite_lqr(a, b, g, n, f, 0)
+
+
+def test_a_law_in_floats_takes_at_most_a_hundred_calls():
+    """Calls of functions of trajlib, for a system with two states."""
+    calls, folder = [], str(Path(trajlib.__file__).parent)
+
+    def count(frame, event, argument):
+        if event == "call" and frame.f_code.co_filename.startswith(folder):
+            calls.append(frame.f_code.co_name)
+
+    system = floats([[0, 1], [0, 0]], [[0], [1]], np.eye(2), [[1]])
+    sys.setprofile(count)
+    try:
+        law = feedback.lqr(*system)
+    finally:
+        sys.setprofile(None)
+    assert law.gain == pytest.approx(np.array([[-1, -np.sqrt(3)]]))
+    assert "lqr" in calls and len(calls) <= 100, len(calls)

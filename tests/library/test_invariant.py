@@ -583,7 +583,7 @@ def test_bad_arguments_are_named(change, words):
         (lambda e: e.sliding(5), "odd number of samples up to 4"),
         (lambda e: e.sliding(1), "1 samples are fewer"),
         (lambda e: e.sliding(3, ends="magic"), "leave"),
-        (lambda e: value(np.inf), "t: expected a finite"),
+        (lambda e: value(np.inf), "t: expected finite"),
         (lambda e: derivative(0, -1), "r: expected"),
         (lambda e: integral(0, np.nan), "b: expected"),
     ],

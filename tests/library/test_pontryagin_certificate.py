@@ -325,3 +325,15 @@ def test_bounded_duration_ends_at_its_bound():
     for longest in (1, sp.Rational(17, 10)):
         with pytest.raises(Infeasible, match="a costate separates it"):
             replace(TRANSFER, duration=(half, longest)).solve()
+
+
+@pytest.mark.parametrize("offset", [2, 3])
+def test_residuals_of_h_are_relative_to_its_largest_terms(offset):
+    """x = 1 - t, psi = t - a: H = a - 2, with |psi f| <= a and a density 1 + x <= 2."""
+    x, u = sp.symbols("x u")
+    problem = Problem({x: u}, {u: (-1, 1)}, {x: 1}, [x], running=1 + x)
+    evidence = certify(
+        problem, lambda t: [1 - t], lambda t: [t - offset], lambda t: [0 * t - 1], duration=1
+    )
+    expected = pytest.approx((offset - 2) / (1 + offset + 2), rel=1e-3, abs=1e-12)
+    assert evidence.stationarity == expected and evidence.end == expected

@@ -1,5 +1,7 @@
 """Problems with path constraints, terminal inequalities and state-dependent bounds."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -259,7 +261,7 @@ def test_statements_that_are_refused(error, text, arguments):
         ),
         (
             ValueError,
-            "contains a control",
+            "depend on the control .* initial state alone decides",
             Problem({x: v, v: -x, w: u}, {u: (0, 1)}, {x: 0, v: 1, w: 0}, [w - 1], path=[x <= 2]),
         ),
     ],
@@ -267,6 +269,120 @@ def test_statements_that_are_refused(error, text, arguments):
 def test_problems_that_are_refused(error, text, problem):
     with pytest.raises(error, match=text):
         problem.solve()
+
+
+k = sp.Symbol("k")
+PARAMETER = Problem(
+    {x: k + u, k: 0},
+    {u: None},
+    {x: 0, k: None},
+    {x: 1},
+    running=u**2 + k**2 / 2,
+    duration=1,
+    path=[k <= R(1, 2)],
+)
+
+
+@pytest.mark.parametrize(
+    ("cost", "problem"),
+    [
+        # (1 - k)^2 + k^2/2 is least for k = 2/3.
+        (R(3, 8), PARAMETER),
+        (R(1, 3), replace(PARAMETER, path=[k <= 1], terminal_inequalities=())),
+        (
+            2,
+            Problem(
+                {x: k * v, v: k * u, k: 0},
+                {u: (-1, 1)},
+                {x: 1, v: 0, k: None},
+                {x: 0, v: 0},
+                final=k,
+                running=0,
+                duration=1,
+                path=[k >= R(1, 10)],
+            ),
+        ),
+        # x' = v, v' = -x keeps the radius, so that x(0) = -2.
+        (
+            1 - 2 * sp.sin(1),
+            Problem(
+                {x: v, v: -x, k: u},
+                {u: None},
+                {x: None, v: 0, k: 0},
+                {k: 1},
+                running=x + u**2,
+                duration=1,
+                path=[x**2 + v**2 <= 4],
+            ),
+        ),
+        (
+            # d^2/T + 9 T/4 with d = 1/2 is least for T = 1/3.
+            R(17, 10),
+            Problem(
+                {x: u, t: 1},
+                {u: None},
+                {x: 0, t: 0},
+                {x: R(1, 2)},
+                running=u**2 + R(9, 4),
+                path=[t <= R(1, 5)],
+            ),
+        ),
+        # What a given parameter satisfies is no constraint.
+        (
+            2,
+            Problem(
+                {x: k + u, k: 0},
+                {u: None},
+                {x: 0, k: 1},
+                {x: 1},
+                running=u**2 + 2 * k**2,
+                duration=1,
+                path=[k <= 1],
+            ),
+        ),
+    ],
+)
+def test_constraints_on_parameters_and_time(cost, problem):
+    extremal = problem.solve()
+    assert not problem.path
+    assert extremal.certificate().holds()
+    assert abs(extremal.cost - float(cost)) < 1e-9
+
+
+def test_given_parameter_outside_its_constraint():
+    problem = replace(PARAMETER, initial={x: 0, k: 1})
+    with pytest.raises(Infeasible, match="initial state violates the constraint k - 1/2 <= 0"):
+        problem.solve()
+
+
+def passing(velocity, *discs):
+    """A unit mass passes discs (x, y, radius) with the least energy, with a given initial velocity."""
+    y, vx, vy, ux, uy = sp.symbols("y v_x v_y u_x u_y")
+    return Problem(
+        {x: vx, y: vy, vx: ux, vy: uy},
+        {ux: None, uy: None},
+        {x: 0, y: 0, vx: velocity[0], vy: velocity[1]},
+        {x: 1, y: 0},
+        running=(ux**2 + uy**2) / 2,
+        duration=1,
+        path=[(x - a) ** 2 + (y - b) ** 2 >= r**2 for a, b, r in discs],
+    )
+
+
+@pytest.mark.parametrize("velocity", [(1, R(3, 10)), (1, R(1, 2)), (1, R(2, 5))])
+@pytest.mark.parametrize("mirrored", [1, -1])
+def test_obstacles_are_passed_on_the_better_side(velocity, mirrored):
+    vx, vy = velocity
+    problem = passing((vx, mirrored * vy), (R(1, 2), mirrored * R(1, 10), R(1, 4)))
+    y = problem.state[1]
+    sides = [problem.solve(guess={x: [0, 0.5, 1], y: [0, b, 0]}).cost for b in (0.5, -0.5)]
+    assert max(sides) > 1.02 * min(sides)
+    assert abs(problem.solve().cost - min(sides)) < 1e-9
+
+
+def test_two_obstacles_are_passed_on_all_sides():
+    problem = passing((1, 0), (R(1, 4), R(1, 20), R(1, 8)), (R(3, 4), -R(1, 20), R(1, 8)))
+    assert problem.solve().optimality.processes == 4
 
 
 def test_given_structures_and_syntheses_are_refused():

@@ -13,7 +13,7 @@ from scipy.linalg import expm
 from scipy.optimize import fsolve
 
 from trajlib.pontryagin import Problem, compare
-from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.multistart import Multistart
 from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.indirect.refinement import refine
 from trajlib.pontryagin.indirect.structure import detect_arcs
@@ -472,7 +472,7 @@ def test_perturbed_direct_solutions_lead_to_the_same_extremal(name):
     """Newton's method from states, costates and arcs that are off by some per cent."""
     record = RECORDS[name] if name in RECORDS else optimal_control_records.record(name)
     numeric = NumericProblem(record.problem)
-    solution, _ = search(numeric).solutions[0]
+    solution, _ = Multistart(numeric).search().solutions[0]
     arcs = detect_arcs(numeric, solution)
     random = np.random.default_rng(3)
     for _ in range(3):

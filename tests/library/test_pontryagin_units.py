@@ -148,3 +148,42 @@ def test_a_cost_that_is_positive_is_not_the_time():
         {x_real: u_real}, {u_real: (-1, 1)}, {x_real: 1}, [x_real], running=1 + x_real**2
     ).solve()
     assert extremal.cost == pytest.approx(4 / 3, rel=1e-12)
+
+
+@pytest.mark.parametrize("unit", [1, 1000])
+def test_terminal_multipliers_are_those_of_the_costate(unit):
+    """psi(T) + sum of lambda_i grad phi_i = 0, in the user's units."""
+    plant, start = {x: v, v: u}, {x: 0, v: 0}
+    problems = [
+        Problem(
+            plant, {u: (-unit, unit)}, start, [7 * x - 7 * unit, v / 3], running=1 + u**2 / unit**2
+        ),
+        Problem(
+            plant,
+            {u: None},
+            start,
+            [7 * x - 7 * unit],
+            running=u**2 / unit**2,
+            duration=1,
+            terminal_inequalities=[5 * v <= unit],
+        ),
+    ]
+    for problem, normals in zip(problems, ([[7, 0], [0, 1 / 3]], [[7, 0], [0, 5]])):
+        extremal = problem.solve()
+        multipliers = np.array(extremal.terminal_multipliers)
+        assert np.abs(multipliers).min() > 1e-6
+        assert extremal.costate(extremal.duration) == pytest.approx(
+            -multipliers @ normals, rel=1e-9
+        )
+
+
+@pytest.mark.parametrize("unit", [1, 1000])
+def test_times_are_those_of_the_process(unit):
+    extremal = Problem({x: v, v: u}, {u: (-unit, unit)}, {x: 0, v: 0}, {x: unit, v: 0}).solve()
+    end = extremal.duration
+    functions = (extremal.state, extremal.costate, extremal.control, extremal.switching)
+    for function in (*functions, extremal.hamiltonian, extremal.path_multiplier):
+        assert np.allclose(function(end * (1 + 1e-12)), function(end))
+        for t in (-1e-6 * end, (1 + 1e-6) * end, [0, 2 * end]):
+            with pytest.raises(ValueError, match="t: expected times between 0 and the duration 2"):
+                function(t)

@@ -1,7 +1,9 @@
 """What is said of problems without a solution, or with more than one, before and after the search."""
 
 import re
+import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ import sympy as sp
 
 from trajlib.pontryagin import (
     Infeasible,
+    NotConverged,
     NotUnique,
     PontryaginError,
     Problem,
@@ -16,8 +19,15 @@ from trajlib.pontryagin import (
     WrongStructure,
 )
 from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
-from trajlib.pontryagin.direct.first_integrals import refuse_first_integrals
+from trajlib.pontryagin.direct.first_integrals import FIRST_INTEGRALS, FIXED_POINT
+from trajlib.pontryagin.direct.transcription import Transcription
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.time_limit import (
+    OutOfTime,
+    limited,
+    seconds_left,
+    stopped_from_within,
+)
 
 R = sp.Rational
 x, y, z, u, v = sp.symbols("x y z u v")
@@ -99,9 +109,12 @@ def test_targets_beside_first_integrals():
     with pytest.raises(Infeasible):
         Problem(TURNED, ONE, {x: 1, y: 0}, twice, duration=1).solve()
     resting = Problem({x: 0, y: u * x}, FREE, {x: 2, y: 0}, [x**2 - 4], running=u**2, duration=1)
-    refuse_first_integrals(NumericProblem(resting))
     unmoved = Problem({x: 0}, FREE, {x: 2}, [x**2 - 4], running=(u - 1) ** 2, duration=1)
-    refuse_first_integrals(NumericProblem(unmoved))
+    for problem in (resting, unmoved):
+        numeric = NumericProblem(problem)
+        assert FIRST_INTEGRALS.applies(problem) and FIXED_POINT.applies(problem)
+        FIXED_POINT.check(numeric)
+        FIRST_INTEGRALS.check(numeric)
 
 
 @pytest.mark.parametrize("angle", [R(1, 3), 1.1, sp.pi / 5])
@@ -152,6 +165,22 @@ def test_targets_with_a_normal_are_not_refused(start):
     refuse_degenerate_target(NumericProblem(circle), path)
 
 
+@pytest.mark.parametrize(
+    ("message", "summary"),
+    [
+        (
+            "no process was found from 7 starts (IPOPT, last status: Failed). Nothing is proved.",
+            "no process was found from 7 starts (IPOPT, last status: Failed)",
+        ),
+        ("H (with t(0): 1.5; 2) remains 0.5: f(x(0)) = 1", "H (with t(0): 1.5; 2) remains 0.5"),
+        ("the target is missed by 0.5; try again", "the target is missed by 0.5"),
+        ("nothing is known", "nothing is known"),
+    ],
+)
+def test_errors_have_a_short_sentence(message, summary):
+    assert PontryaginError(message).summary == summary
+
+
 # A shallow well near zero and a deep one far away.
 WELLS = Problem(
     {x: u},
@@ -174,6 +203,80 @@ def test_more_starts_find_a_better_process():
     evidence = many.certificate()
     assert evidence.holds() and evidence.optimality == many.optimality
     assert "best of 2 found from 30 starts" in evidence._repr_markdown_()
+
+
+# A load on a rope, in least time, with a bound of its angle: more lists of arcs than time.
+POSITION, SPEED, ANGLE, RATE = sp.symbols("p s a w")
+CRANE = Problem(
+    {POSITION: SPEED, SPEED: u, ANGLE: RATE, RATE: -ANGLE - u},
+    {u: (-1, 1)},
+    {POSITION: 0, SPEED: 0, ANGLE: 0, RATE: 0},
+    {POSITION: 5, SPEED: 0, ANGLE: 0, RATE: 0},
+    path=[ANGLE <= R(4, 5), ANGLE >= -R(4, 5)],
+)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "found"),
+    [
+        (0.001, "before or after the search"),
+        (5, "found from [0-9]+ starts?( has the cost 6.8|. Nothing is proved)"),
+    ],
+)
+def test_time_limit_ends_any_step(seconds, found):
+    begin = time.process_time()
+    with pytest.raises(NotConverged, match=f"time limit is over: .*{found}"):
+        replace(CRANE).solve(time_limit=seconds)
+    # The rest is that between two iterations, and the time to set up a programme.
+    assert time.process_time() - begin < seconds + 5
+
+
+@pytest.mark.parametrize(
+    "step",
+    [
+        lambda: sp.factorint(int("9" * 70 + "7")),
+        lambda: [None for _ in iter(int, 1)],
+    ],
+)
+def test_steps_that_end(step):
+    threads = threading.active_count()
+    with pytest.raises(OutOfTime), limited(0.2):
+        step()
+    assert threading.active_count() == threads
+    assert seconds_left() == np.inf
+
+
+def test_ipopt_ends_within_one_call(monkeypatch):
+    """Also where the programme was set up long before: the time is that of the whole `solve`."""
+    left = iter([5.0, 5.0, 5.0, 5.0, 0.0, 0.0])
+    for module in ("direct.transcription", "problem.time_limit"):
+        monkeypatch.setattr(f"trajlib.pontryagin.{module}.seconds_left", lambda: next(left))
+    guess = (1.0, np.zeros((2, 4)), np.zeros((1, 1)))
+    programme = Transcription(NumericProblem(CRANE), 400)
+    with pytest.raises(OutOfTime):
+        programme.solve(guess)
+    assert programme.solver.stats()["return_status"] == "User_Requested_Stop"
+    assert programme.solver.stats()["iter_count"] == 3 and next(left, None) is None
+
+
+def test_nothing_is_raised_within_a_call_that_ends_itself():
+    with pytest.raises(OutOfTime), limited(0.1):
+        with stopped_from_within():
+            begin = time.monotonic()
+            while time.monotonic() < begin + 0.3:
+                pass
+            ended = seconds_left() == 0
+    assert ended
+
+
+def test_the_search_over_arcs_has_a_bound(monkeypatch):
+    monkeypatch.setattr("trajlib.pontryagin.indirect.arc_search.MOST_LISTS", 2)
+    with pytest.raises(
+        WrongStructure, match=r"\(2 lists of arcs, the most that are tried\)"
+    ) as raised:
+        replace(CRANE).solve()
+    # With path constraints no structure can be given.
+    assert "Give a guess; look" in str(raised.value)
 
 
 def test_time_limit():

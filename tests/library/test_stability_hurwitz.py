@@ -84,7 +84,7 @@ def test_characteristic_polynomial():
         (lambda: characteristic_polynomial(sp.Matrix([[sp.I]]), s), "real"),
         (lambda: characteristic_polynomial(sp.Matrix([[s]]), s), "symbol"),
         (lambda: characteristic_polynomial(np.ones((2, 3)), s), "square"),
-        (lambda: shift(s + 1, sp.nan, s), "margin"),
+        (lambda: shift(s + 1, sp.nan, s), "degree"),
     ],
 )
 def test_value_errors_name_the_argument(call, named):

@@ -1,5 +1,7 @@
 """Regions of stability: problems 1.14 - 1.18, worked examples 3 - 5 and random equations."""
 
+import importlib
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -44,11 +46,11 @@ REGIONS = [
 
 
 @pytest.mark.parametrize(
-    "equation, parameters, margin, region", [r[1:] for r in REGIONS], ids=[r[0] for r in REGIONS]
+    "equation, parameters, degree, region", [r[1:] for r in REGIONS], ids=[r[0] for r in REGIONS]
 )
-def test_regions_of_the_problem_book(equation, parameters, margin, region):
+def test_regions_of_the_problem_book(equation, parameters, degree, region):
     symbol = None if isinstance(equation, sp.MatrixBase) else s
-    found = stability_conditions(equation, parameters, margin=margin, symbol=symbol)
+    found = stability_conditions(equation, parameters, degree=degree, symbol=symbol)
     assert found.region == region
     assert found.empty is (region is sp.false)
 
@@ -61,11 +63,11 @@ def largest_real_part(equation, values):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "equation, parameters, margin", [r[1:4] for r in REGIONS], ids=[r[0] for r in REGIONS]
+    "equation, parameters, degree", [r[1:4] for r in REGIONS], ids=[r[0] for r in REGIONS]
 )
-def test_regions_agree_with_the_spectrum(equation, parameters, margin):
+def test_regions_agree_with_the_spectrum(equation, parameters, degree):
     found = stability_conditions(
-        equation, parameters, margin, None if isinstance(equation, sp.MatrixBase) else s
+        equation, parameters, degree, None if isinstance(equation, sp.MatrixBase) else s
     )
     random = np.random.default_rng(1)
     points = list(random.uniform(-6, 6, size=(60, len(parameters))))
@@ -79,7 +81,7 @@ def test_regions_agree_with_the_spectrum(equation, parameters, margin):
             first, second = (middle, second) if found.contains(middle) else (first, middle)
         points += [first, second]
     for point in points:
-        worst = largest_real_part(equation, dict(zip(parameters, point))) + margin
+        worst = largest_real_part(equation, dict(zip(parameters, point))) + degree
         if abs(worst) > 1e-7:
             assert found.contains(point) == (worst < 0)
 
@@ -94,8 +96,8 @@ def test_edges_where_the_order_drops():
     assert edges == {sp.Eq(k1, 0): k2 > 0, sp.And(sp.Eq(k1, 0), sp.Eq(k2, 0)): sp.true}
     (edge,) = stability_conditions((1 + k) * s**2 + s + 1, [k], symbol=s).degenerate
     assert (edge.where, edge.polynomial, edge.region) == (sp.Eq(k, -1), s + 1, sp.true)
-    # The margin is asked of the equation of lower order too: s + 1 has no margin 2.
-    (edge,) = stability_conditions(k * s**2 + s + 1, [k], margin=2, symbol=s).degenerate
+    # The degree of stability is asked of the equation of lower order too: s + 1 has not the degree 2.
+    (edge,) = stability_conditions(k * s**2 + s + 1, [k], degree=2, symbol=s).degenerate
     assert edge.region is sp.false
     assert stability_conditions(s**2 + k * s + 1, [k], symbol=s).degenerate == ()
 
@@ -113,7 +115,7 @@ def test_other_readings_of_problem_1_14():
 
 
 def test_the_corrected_reading_of_problem_1_16f():
-    region = stability_conditions(M([[1 + k1, 2], [-3, -2 + k2]]), [k1, k2], margin=1).region
+    region = stability_conditions(M([[1 + k1, 2], [-3, -2 + k2]]), [k1, k2], degree=1).region
     assert region == sp.And(k1 + k2 < -1, k1 * k2 + 2 * k2 + 4 > k1)
 
 
@@ -141,9 +143,9 @@ def test_assumptions_are_used():
     assert stability_conditions(s**2 + p * s + p, [p], symbol=s).region is sp.true
 
 
-def test_margin_may_be_a_symbol():
+def test_degree_may_be_a_symbol():
     mu = sp.Symbol("mu", positive=True)
-    region = stability_conditions(s + a, [a, mu], margin=mu, symbol=s).region
+    region = stability_conditions(s + a, [a, mu], degree=mu, symbol=s).region
     assert region == (a > mu)
 
 
@@ -156,8 +158,8 @@ def test_latex():
     "call, named",
     [
         (lambda: stability_conditions(s**2 + a * s + b, [a], symbol=s), "parameters: .*b"),
-        (lambda: stability_conditions(s**2 + a * s + 1, [a], margin=-1, symbol=s), "margin"),
-        (lambda: stability_conditions(s**2 + a * s + 1, [a], margin=k, symbol=s), "parameters"),
+        (lambda: stability_conditions(s**2 + a * s + 1, [a], degree=-1, symbol=s), "degree"),
+        (lambda: stability_conditions(s**2 + a * s + 1, [a], degree=k, symbol=s), "parameters"),
         (lambda: stability_conditions(sp.zeros(2, 3), []), "square"),
         (lambda: stability_conditions(sp.sin(s), [], symbol=s), "polynomial"),
         (lambda: stability_conditions([1, a, 1], [a]).plot((0, 1), (0, 1)), "two parameters"),
@@ -187,3 +189,17 @@ def test_random_regions_agree_with_the_spectrum(rows, points):
         if abs(worst) > 1e-4:
             assert found.contains(point) == (worst < 0)
             assert not (worst < 0 and found.empty)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        *("stability.stability_conditions", "stability.jury_conditions"),
+        *("feedback.observer", "feedback.regulator", "feedback.reduced_observer"),
+        *("feedback.stabilising_gains", "feedback.convergent_gains"),
+    ],
+)
+def test_the_former_name_of_the_degree_is_refused(function):
+    package, name = function.split(".")
+    with pytest.raises(TypeError, match=rf"^{name}: margin is called degree now \(degree=2\)$"):
+        getattr(importlib.import_module(f"trajlib.{package}"), name)(None, margin=2)

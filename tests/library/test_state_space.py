@@ -150,13 +150,20 @@ def test_fixed_mode_on_the_axis_is_an_obstacle_within_rounding():
     assert not found and found.margin == 0
 
 
+END = {"F": TWO, "time_to_go": 1.0}
+THEIR_NOISES = {"Q": 2 * TWO, "R": 3 * ONE, "QN": TWO, "RN": ONE}
+OUR_NOISES = {"G": 2 * TWO, "N": 3 * ONE, "Q": TWO, "R": ONE}
 KEYWORDS = [
     (feedback.lqr, (A, B), {"Q": TWO, "R": ONE}, {"G": TWO, "N": ONE}),
     (estimation.stationary_filter, (A,), {"C": C, "QN": TWO, "RN": ONE}, {"H": C, "Q": TWO, "R": ONE}),
     (feedback.place, (A, B), {"p": [-1, -2]}, {"eigenvalues": [-1, -2]}),
     (estimation.KalmanFilter, (A,), {"C": C, "QN": TWO, "RN": ONE}, {"H": C, "Q": TWO, "R": ONE}),
     (estimation.KalmanFilter, (), {"F": A, "H": C, "Q": TWO, "R": ONE}, {"Phi": A, "H": C, "Q": TWO, "R": ONE}),
-    (feedback.lqg, (A, B, C, TWO, ONE), {"QN": TWO, "RN": ONE}, {"Q": TWO, "R": ONE}),
+    (feedback.lqr, (A, B), {"Q": TWO, "R": ONE, "N": B / 4}, {"G": TWO, "N": ONE, "cross": B / 4}),
+    (feedback.finite_lqr, (A, B), {"Q": TWO, "R": ONE, "N": B / 4, **END}, {"G": TWO, "N": ONE, "cross": B / 4, **END}),
+    (feedback.discrete_lqr, (A / 4, B), {"Q": TWO, "R": ONE, "N": B / 4}, {"G": TWO, "N": ONE, "cross": B / 4}),
+    (feedback.lqg, (A, B, C), THEIR_NOISES, OUR_NOISES),
+    (feedback.discrete_lqg, (A / 4, B), {"C": C, **THEIR_NOISES}, {"H": C, **OUR_NOISES}),
     (structure.observability, (A,), {"C": C}, {"H": C}),
     (structure.observer_canonical_form, (A,), {"C": C}, {"h": C}),
 ]  # fmt: skip
@@ -173,6 +180,36 @@ def test_lqr_is_written_as_python_control_users_write_it():
     gain, _, _ = control.lqr(SYSTEM, TWO, ONE, method="scipy")
     np.testing.assert_allclose(feedback.lqr(SYSTEM, TWO, ONE).gain, -gain)
     np.testing.assert_allclose(feedback.lqr(SYSTEM, Q=TWO, R=ONE).gain, -gain)
+
+
+def test_noises_of_lqg_keep_their_names_beside_given_weights():
+    named = feedback.lqg(SYSTEM, TWO, ONE, QN=2 * TWO, RN=3 * ONE)
+    assert shown(named) == shown(feedback.lqg(SYSTEM, TWO, ONE, 2 * TWO, 3 * ONE))
+
+
+@pytest.mark.parametrize(
+    "regulator, theirs", [(feedback.lqr, control.lqr), (feedback.discrete_lqr, control.dlqr)]
+)
+def test_cross_term_is_in_the_place_of_python_control(regulator, theirs):
+    law = regulator(A / 4, B, TWO, ONE, B / 4)
+    gain, _, _ = theirs(A / 4, B, TWO, ONE, B / 4, method="scipy")
+    np.testing.assert_allclose(law.gain, -gain, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "call, message",
+    [
+        (lambda: feedback.lqr(A, B, TWO, ONE, stable="no"), "stable: expected True or False"),
+        (lambda: feedback.lqr(A, B, TWO, ONE, False), "cross: expected a matrix, got False"),
+        (lambda: feedback.discrete_lqr(1, 1, 1, 1, True), "cross: expected a matrix, got True"),
+        (lambda: feedback.lqr(A, B, TWO, ONE, B.T), "cross: expected a matrix 2 x 1"),
+        (lambda: feedback.lqr(A, B, TWO, ONE, None, False), "positional arguments"),
+        (lambda: feedback.discrete_lqr(A, B, TWO, ONE, stable=True), "argument 'stable'"),
+    ],
+)
+def test_what_is_no_option_of_a_regulator_is_refused_by_name(call, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        call()
 
 
 LISTS = [

@@ -7,6 +7,7 @@ import sympy as sp
 from scipy.optimize import minimize
 
 from trajlib.structure import distance_to_uncontrollable, distance_to_unobservable
+from trajlib.structure.distance import _least_in_squares
 
 
 def chain(n):
@@ -78,6 +79,45 @@ def test_no_change_below_the_lower_bound_destroys_observability():
             assert near.upper >= 0.5 * lower
 
 
+def corners_of(A, H, centre, side):
+    return np.array(
+        [
+            [
+                sigma(A, H, (centre[0] + x, centre[1] + y))
+                for x in (-side, side)
+                for y in (-side, side)
+            ]
+        ]
+    )
+
+
+def test_bound_in_a_square_is_below_all_its_values_and_attained():
+    """For one state sigma^2 = |lambda - a|^2 + h^2, and the bound about a is its least value h."""
+    rng = np.random.default_rng(7)
+    for side in (0.1, 1.0, 3.0):
+        (bound,) = _least_in_squares(corners_of([[0.5]], [[2.0]], (0.5, 0), side / 2), side)
+        assert bound == pytest.approx(2, rel=1e-12)
+        for _ in range(10):
+            A, H = random_pair(rng)
+            centre = rng.normal(size=2)
+            (bound,) = _least_in_squares(corners_of(A, H, centre, side / 2), side)
+            inside = centre + rng.uniform(-side / 2, side / 2, size=(50, 2))
+            assert bound <= min(sigma(A, H, place) for place in inside) + 1e-12
+
+
+def test_bracket_is_proved_where_the_search_for_the_minimum_fails(monkeypatch):
+    """The upper bound is then a value elsewhere; the lower one holds all the same."""
+    monkeypatch.setattr("trajlib.structure.distance._MOST_SQUARES", 3000)
+    rng = np.random.default_rng(8)
+    for _ in range(4):
+        A, H = random_pair(rng)
+        true, scale = brute_force_distance(A, H), np.linalg.norm(np.vstack([A, H]), 2)
+        elsewhere = 3 * true / scale, 0j, None
+        monkeypatch.setattr("trajlib.structure.distance.descend", lambda *_, e=elsewhere: e)
+        found = distance_to_unobservable(A, H)
+        assert 0 < found.lower <= true * (1 + 1e-9) < found.upper
+
+
 def test_rotations_change_nothing_and_units_scale_it():
     rng = np.random.default_rng(4)
     for A, H in (chain(12), random_pair(rng), random_pair(rng)):
@@ -90,10 +130,19 @@ def test_rotations_change_nothing_and_units_scale_it():
         assert (larger.lower, larger.upper) == pytest.approx((1e6 * found.lower, 1e6 * found.upper))
 
 
-def test_controllability_is_dual_and_state_spaces_are_accepted():
+def test_controllability_is_dual_and_the_order_in_memory_changes_no_digit():
+    for seed in range(12):
+        A, H = random_pair(np.random.default_rng(seed))
+        found = distance_to_unobservable(A, H)
+        assert distance_to_uncontrollable(A.T, H.T) == found
+        assert distance_to_uncontrollable(A.T.copy(), H.T.copy()) == found
+        by_columns = np.asfortranarray(A), np.asfortranarray(H)
+        assert distance_to_unobservable(*by_columns) == found
+
+
+def test_state_spaces_and_exact_matrices_are_accepted():
     A, H = random_pair(np.random.default_rng(5))
     found = distance_to_unobservable(A, H)
-    assert distance_to_uncontrollable(A.T, H.T) == found
     assert distance_to_unobservable(control.ss(A, np.eye(len(A)), H, 0)) == found
     exact = distance_to_unobservable(sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([[1, 0]]))
     assert exact == distance_to_unobservable(*chain(2))
@@ -106,7 +155,7 @@ def test_unobservable_pairs_have_distance_zero():
         (np.zeros((3, 3)), np.zeros((1, 3))),
     ):
         found = distance_to_unobservable(A, H)
-        assert found.lower == 0 and found.upper < 1e-10
+        assert found.lower == 0 < found.upper < 1e-10
 
 
 def test_the_bracket_is_wide_but_true_where_squares_are_too_many():

@@ -5,8 +5,10 @@ import warnings
 import control
 import numpy as np
 import pytest
+import scipy.linalg
 from known_pairs import known_pair
 
+from trajlib.feedback import stabilisability
 from trajlib.structure import (
     controllability,
     controllability_decomposition,
@@ -193,3 +195,15 @@ def test_hidden_eigenvalues_of_a_large_pair():
     spiral = np.kron(np.diag([1.0, 3.0]), np.array([[0, 1], [-1, 0]]))
     found = observability(*rotated(spiral, np.array([[1.0, 0, 0, 0]]), 2))
     assert sorted(m.eigenvalue.imag for m in found.hidden_modes) == pytest.approx([-3, 3])
+
+
+@pytest.mark.parametrize(
+    "block, name", [([[0.0, 0], [0, -1]], "lambda = 0"), ([[0.0, 1], [-1, 0]], "lambda = 0+1j")]
+)
+def test_zero_within_rounding_is_named_zero(block, name):
+    """An uncontrollable eigenvalue 0, or the real part of +-i, in rotated coordinates."""
+    for seed in range(5):
+        A, B = rotated(scipy.linalg.block_diag(block, 2.0), np.array([[0.0, 0, 1]]), seed)
+        for test in (controllability, stabilisability):
+            reason = test(A, B.T).reason.split("; margin")[0]
+            assert name in reason and "e-" not in reason

@@ -14,6 +14,7 @@ from trajlib.structure import (
     controllability_matrix,
     controllable_subspace,
     controller_canonical_form,
+    exact,
     first_order_form,
     mechanical_controllability,
     mechanical_observability,
@@ -50,6 +51,24 @@ def test_a_factor_without_closed_roots_is_given_itself():
     assert "lambda**3" in observability(A, H).reason
     (mode,) = controllability(A.T, H.T).hidden_modes
     assert mode.vectors.shape == (1, 4)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_determinants_have_their_sign(n):
+    matrix = M(n, n, lambda i, j: w + i if i == j else i - 2 * j)
+    assert sp.expand(exact.determinant(matrix) - matrix.det()) == 0 != matrix.det()
+
+
+def test_eigenvalues_with_roots_of_symbols():
+    """sqrt(a) and sqrt(a + 1) depend on each other, so that no field of SymPy holds both."""
+    a = sp.Symbol("a", positive=True)
+    A = sp.diag(sp.sqrt(a), sp.sqrt(a + 1), 1)
+    found = observability(A, M([[0, 0, 1]]))
+    assert found.rank == 1 and len(found.hidden_modes) == 2
+    assert {m.eigenvalue: m.vectors for m in found.hidden_modes} == {
+        sp.sqrt(a): M([1, 0, 0]),
+        sp.sqrt(a + 1): M([0, 1, 0]),
+    }
 
 
 def test_complex_and_irrational_numbers():
@@ -252,6 +271,13 @@ def test_state_space_of_python_control():
     assert np.array_equal(controllability_matrix(system), [[0, 1], [1, 0]])
     assert observability_decomposition(system).sizes == (1, 1)
     assert controller_canonical_form(system).matrix[1] == pytest.approx([1, 0])
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_the_vector_of_a_canonical_form_may_be_a_row_or_a_column(n):
+    A, row = M(n, n, lambda i, j: (i + 2 * j) ** 2 % 5), M(1, n, lambda i, j: j + 1)
+    assert observer_canonical_form(A, row) == observer_canonical_form(A, row.T)
+    assert controller_canonical_form(A, row) == controller_canonical_form(A, row.T)
 
 
 def test_canonical_forms_of_floats():

@@ -8,8 +8,12 @@ fractions and expressions; a decimal beside a symbol is the number that was writ
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.arrays import brief, plain_array, unwrapped
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._typing import Matrix
+
+#: What a matrix of any form holds, for messages.
+MATRIX = "a matrix of real numbers"
 
 
 def is_float_array(matrix):
@@ -23,21 +27,24 @@ def any_floats(*matrices):
 
 
 def has_floats(matrix):
-    """Whether this is a NumPy array of numbers, a float or a list of numbers with a float."""
-    if not isinstance(matrix, (list, tuple)):
-        return is_float_array(matrix) or isinstance(matrix, float)
+    """Whether this is an array or a list of numbers, of floats or with a float among them."""
+    matrix = unwrapped(matrix)
+    if is_float_array(matrix):
+        return True
     entries = list(_flattened(matrix))
-    return any(isinstance(entry, float) or is_float_array(entry) for entry in entries) and not any(
-        isinstance(entry, (sp.Basic, sp.MatrixBase)) and entry.free_symbols for entry in entries
-    )
+    return any(
+        isinstance(entry, float | np.floating) or is_float_array(entry) for entry in entries
+    ) and not any(getattr(entry, "free_symbols", None) for entry in entries)
 
 
 def _flattened(matrix):
-    for entry in matrix:
-        if isinstance(entry, (list, tuple)):
+    if isinstance(matrix, list | tuple) or (
+        isinstance(matrix, np.ndarray) and matrix.dtype.kind == "O" and matrix.ndim
+    ):
+        for entry in matrix:
             yield from _flattened(entry)
-        else:
-            yield entry
+    else:
+        yield matrix
 
 
 def require_exact(instead, **matrices):
@@ -56,18 +63,15 @@ def is_state_space(system):
 
 def read_exact_matrix(matrix, name="A", flat="row", square=False):
     """Return a real SymPy matrix with exact entries; a flat list is one row, or one "column"."""
-    try:
-        result = sp.Matrix(matrix)
-    except (TypeError, ValueError, sp.SympifyError):
-        raise TypeError(f"{name}: expected a matrix, got {matrix!r}") from None
-    flat_list = (
-        not isinstance(matrix, sp.MatrixBase) and np.ndim(np.array(matrix, dtype=object)) == 1
-    )
-    if flat_list and flat == "row":
-        result = result.T
+    array = plain_array(matrix, name, MATRIX)
+    if array.ndim not in (1, 2):
+        got = brief(matrix) if array.ndim == 0 else f"the shape {array.shape}"
+        raise TypeError(f"{name}: expected {MATRIX}, got {got}")
+    if array.ndim == 1:
+        array = array[None, :] if flat == "row" else array[:, None]
+    result = sp.Matrix(*array.shape, [_exact(entry, name) for entry in array.flat])
     if square:
         require_square(result, name)
-    result = result.applyfunc(exact_decimals)
     if result.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
         raise ValueError(f"{name}: expected finite entries")
     if result.has(sp.I) or any(entry.is_real is False for entry in result):
@@ -75,25 +79,39 @@ def read_exact_matrix(matrix, name="A", flat="row", square=False):
     return result
 
 
+def _exact(entry, name):
+    try:
+        result = sp.sympify(entry, strict=True)
+    except (sp.SympifyError, TypeError, ValueError):
+        result = None
+    if not isinstance(result, sp.Expr):
+        raise TypeError(f"{name}: expected {MATRIX}, got {brief(entry)}")
+    return exact_decimals(result)
+
+
 def read_float_matrix(matrix, name="A", square=False):
-    """Return an array of finite floats; symbols, also in a matrix beside floats, are refused."""
-    if is_float_array(matrix):
-        if matrix.dtype.kind == "c":
-            raise ValueError(f"{name}: expected a real matrix")
-        result = matrix.astype(float)
-    else:
-        try:
-            result = np.array(
-                matrix.tolist() if isinstance(matrix, sp.MatrixBase) else matrix, dtype=float
-            )
-        except (TypeError, ValueError):
-            raise ValueError(
-                f"{name}: floats and exact symbols stand in one system; write all of it exactly "
-                "(SymPy)"
-            ) from None
+    """Return an array of finite floats; symbols, also in a matrix beside floats, are refused.
+
+    It is stored by rows: LAPACK rounds the same matrix stored by columns otherwise.
+    """
+    result = _finite_floats(plain_array(matrix, name, MATRIX), name, matrix)
     if square:
         require_square(result, name)
-    if not np.all(np.isfinite(result)):
+    return result
+
+
+def _finite_floats(array, name, given):
+    try:
+        result = array.astype(float, order="C")
+    except OverflowError:
+        raise ValueError(f"{name}: an entry is beyond all floats") from None
+    except (TypeError, ValueError):
+        if not any(getattr(entry, "free_symbols", None) for entry in array.flat):
+            raise TypeError(f"{name}: expected {MATRIX}, got {brief(given)}") from None
+        raise ValueError(
+            f"{name}: floats and exact symbols stand in one system; write all of it exactly (SymPy)"
+        ) from None
+    if not np.isfinite(result).all():
         raise ValueError(f"{name}: expected finite entries")
     return result
 
@@ -105,28 +123,29 @@ def require_square(matrix, name):
         raise ValueError(f"{name}: expected a square matrix, got shape {shape}")
 
 
-def read_matrix(matrix, name, rows, columns, floats):
+def read_matrix(matrix, name, rows, columns, floats, flat="row"):
     """Return a matrix of the shape (rows, columns), None for any number.
 
-    A flat list is one row, a scalar is 1 x 1.
+    A flat list is one row, or one "column"; a scalar is 1 x 1.
     """
     if matrix is None:
         raise ValueError(f"{name}: expected a matrix")
-    array = is_float_array(matrix)
-    depth = np.ndim(matrix) if array else np.array(matrix, dtype=object).ndim
-    nested = matrix if depth or (floats and array) else [matrix]
-    if floats:
-        result = read_float_matrix(nested, name)
-        # A flat list has become a column on its way.
-        result = result.reshape(1, -1) if depth < 2 else result
+    array = plain_array(matrix, name, MATRIX)
+    array = array if array.ndim else array.reshape(1)
+    if not floats:
+        result = read_exact_matrix(array, name, flat)
     else:
-        result = read_exact_matrix(nested, name)
-    shape = tuple(
-        actual if size is None else size for size, actual in zip((rows, columns), result.shape)
-    )
-    if tuple(result.shape) != shape or 0 in shape:
+        result = _finite_floats(array, name, matrix)
+        if result.ndim == 1:
+            result = result[None, :] if flat == "row" else result[:, None]
+    shape = tuple(result.shape)
+    if (
+        len(shape) != 2
+        or 0 in shape
+        or not (rows in (None, shape[0]) and columns in (None, shape[1]))
+    ):
         size = " x ".join("any" if part is None else str(part) for part in (rows, columns))
-        raise ValueError(f"{name}: expected a matrix {size}, got the shape {tuple(result.shape)}")
+        raise ValueError(f"{name}: expected a matrix {size}, got the shape {shape}")
     return result
 
 
@@ -139,14 +158,10 @@ def read_square(matrix, name, floats):
 
 def read_vector(vector, name, length, floats):
     """Return a column of SymPy expressions, or a flat array; `length` None for any."""
-    shape = tuple(np.shape(vector) if not isinstance(vector, sp.MatrixBase) else vector.shape)
-    if len(shape) > 2 or (len(shape) == 2 and 1 not in shape):
-        raise ValueError(f"{name}: expected a vector, got the shape {shape}")
-    if is_float_array(vector):
-        flat = vector.reshape(-1)
-    else:
-        flat = list(np.array(vector, dtype=object).reshape(-1))
-    row = read_matrix(flat, name, None, None, floats)
+    array = plain_array(vector, name, "a vector of real numbers")
+    if array.ndim > 2 or (array.ndim == 2 and 1 not in array.shape):
+        raise ValueError(f"{name}: expected a vector, got the shape {array.shape}")
+    row = read_matrix(array.reshape(-1), name, None, None, floats)
     if length is not None and row.shape[1] != length:
         raise ValueError(
             f"{name}: expected {length} component{'s' * (length != 1)}, got {row.shape[1]}"
@@ -195,4 +210,4 @@ def read_controlled(A, B) -> tuple[Matrix, Matrix]:
             f"B: expected a matrix with {A.shape[0]} rows, one for each state variable, "
             f"got shape {tuple(B.shape)}{hint}"
         )
-    return A.T, B.T
+    return A.T.copy(), B.T.copy()  # stored by rows, as a pair (A, H) that is given

@@ -1,24 +1,24 @@
 """Reading of numbers, times, names and arrays of floats, without SymPy."""
 
-import contextlib
 import operator
 from datetime import date
 
 import numpy as np
 
+from trajlib._arguments.arrays import brief, raw_array, read_array, read_finite_array
+
+#: What times of a record are, for messages.
+TIMES = "a list of times, numbers or dates"
+
 
 def read_number(value, name):
     """Return a finite float."""
-    number = None
-    # The float of a date is its count of a unit that nobody sees.
-    if not isinstance(value, np.datetime64 | np.timedelta64):
-        with contextlib.suppress(TypeError, ValueError):
-            number = float(value)
-    if number is None:
-        raise TypeError(f"{name}: expected a number, got {value!r}")
+    number = read_array(value, name, "a number")
+    if number.ndim:
+        raise TypeError(f"{name}: expected a number, got {brief(value)}")
     if not np.isfinite(number):
         raise ValueError(f"{name}: expected a finite number, got {number}")
-    return number
+    return float(number)
 
 
 def read_positive(value, name, unit):
@@ -32,9 +32,11 @@ def read_positive(value, name, unit):
 def read_count(value, name, least):
     """Return an integer that is at least `least`."""
     try:
+        if isinstance(value, bool | np.bool_ | np.timedelta64):
+            raise TypeError
         value = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: expected a whole number, got {value!r}") from None
+        raise TypeError(f"{name}: expected a whole number, got {brief(value)}") from None
     if value < least:
         raise ValueError(f"{name}: expected {least} or more, got {value}")
     return value
@@ -44,29 +46,16 @@ def read_interval(value, name, meaning="(low, high)"):
     """Return two finite floats, the first not above the second."""
     ends = read_array(value, name, meaning)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] > ends[1]:
-        raise ValueError(f"{name}: expected {meaning} with low <= high, got {value!r}")
+        raise ValueError(f"{name}: expected {meaning} with low <= high, got {brief(value)}")
     return float(ends[0]), float(ends[1])
 
 
 def read_points(value, name, length=2):
     """Return finite points of `length` coordinates as an array of shape (..., length)."""
-    value = read_array(value, name, f"numbers of shape (..., {length})")
+    value = read_finite_array(value, name, f"numbers of shape (..., {length})")
     if value.ndim == 0 or value.shape[-1] != length:
         raise ValueError(f"{name}: expected shape (..., {length}), got {value.shape}")
-    if not np.isfinite(value).all():
-        raise ValueError(f"{name}: expected finite numbers")
     return value
-
-
-def read_array(value, name, expected):
-    """Return an array of floats of any shape; `expected` says in the message what was expected."""
-    try:
-        # As floats, dates of NumPy would be counts of a unit that nobody sees.
-        if np.asarray(value).dtype.kind not in "mM":
-            return np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        pass
-    raise TypeError(f"{name}: expected {expected}, got {value!r}")
 
 
 def read_seconds(value, name):
@@ -75,10 +64,9 @@ def read_seconds(value, name):
     Dates are refused: what they count from is the first time of the record, which is not known
     here.
     """
-    value = read_array(value, name, "times as numbers (of dates: seconds since the first of them)")
-    if not np.isfinite(value).all():
-        raise ValueError(f"{name}: expected a finite time, or an array of them")
-    return value
+    return read_finite_array(
+        value, name, "times as numbers (of dates: seconds since the first of them)"
+    )
 
 
 def read_times(
@@ -119,10 +107,9 @@ def read_times(
 
 def _numbers(times, name):
     """Return times as floats, dates as seconds since the first of them."""
-    try:
-        array = np.asarray(times)
-    except ValueError:
-        raise TypeError(f"{name}: expected a list of times, got {times!r}") from None
+    array = raw_array(times, name, TIMES)
+    if array.dtype.kind == "O" and all(isinstance(t, np.datetime64) for t in array.flat):
+        array = np.array(list(array.flat)).reshape(array.shape)
     if array.dtype.kind == "M":
         # Years and months have no length in seconds, their first days do.
         unit = np.datetime_data(array.dtype)[0]
@@ -134,19 +121,12 @@ def _numbers(times, name):
         except TypeError as reason:
             raise TypeError(f"{name}: dates of different kinds ({reason})") from None
         return np.array(since).reshape(array.shape)
-    return read_array(times, name, "a list of times, numbers or dates")
+    return read_array(array, name, TIMES)
 
 
-def read_numeric_matrix(matrix, name, dtype=float):
-    """Return a two-dimensional array with finite entries of the type `dtype`."""
-    matrix = np.asarray(matrix)
-    try:
-        matrix = matrix.astype(dtype)
-    except (TypeError, ValueError):
-        raise TypeError(
-            f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; "
-            "substitute numbers first"
-        ) from None
+def read_numeric_matrix(matrix, name):
+    """Return a two-dimensional array of finite floats."""
+    matrix = read_array(matrix, name, "a matrix of numbers (substitute them for symbols first)")
     if matrix.ndim != 2:
         raise ValueError(f"{name}: expected a matrix, got shape {matrix.shape}")
     if not np.isfinite(matrix).all():

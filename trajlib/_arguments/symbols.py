@@ -2,7 +2,10 @@
 
 from collections.abc import Iterable, Mapping
 
+import numpy as np
 import sympy as sp
+
+from trajlib._arguments.arrays import brief
 
 
 def read_symbols(symbols, name):
@@ -25,11 +28,14 @@ def read_expression(expression, name):
     if isinstance(expression, str):
         raise TypeError(f"{name}: expected a SymPy expression, got the text {expression!r}")
     try:
-        result = sp.sympify(expression)
-    except (sp.SympifyError, TypeError, AttributeError):
-        raise TypeError(f"{name}: expected a SymPy expression, got {expression!r}") from None
-    if not isinstance(result, sp.Expr):
-        raise TypeError(f"{name}: expected a SymPy expression, got {expression!r}")
+        # Not strict, SymPy would evaluate the text that shows an object.
+        result = sp.sympify(expression, strict=True)
+    except (sp.SympifyError, TypeError, AttributeError, ValueError):
+        result = None
+    # NumPy's durations are integers to SymPy, and its masked entry is zero.
+    no_number = isinstance(expression, np.timedelta64) or expression is np.ma.masked
+    if no_number or not isinstance(result, sp.Expr):
+        raise TypeError(f"{name}: expected a SymPy expression or a number, got {brief(expression)}")
     if result.has(sp.nan, sp.zoo):
         raise ValueError(f"{name}: {result} is not defined")
     return result
@@ -72,6 +78,15 @@ def exact_decimals(expression):
 def read_exact_expression(expression, name):
     """Return `expression` as a SymPy expression without decimals."""
     return exact_decimals(read_expression(expression, name))
+
+
+def read_duration(value, name, floats=False):
+    """Return a time that is not negative, an exact expression; with `floats` a number."""
+    t = read_exact_expression(value, name)
+    if t.is_negative or t.is_real is False or t.is_infinite or (floats and not t.is_number):
+        or_symbol = "" if floats else " or a symbol"
+        raise ValueError(f"{name}: expected a time that is not negative{or_symbol}, got {t}")
+    return t
 
 
 def join_names(symbols):

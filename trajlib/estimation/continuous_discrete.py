@@ -12,7 +12,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._arguments.state_space import accepts_state_space
-from trajlib._arguments.symbols import exact_decimals
+from trajlib._arguments.symbols import read_exact_expression
 from trajlib._typing import MatrixLike, ScalarLike
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments, trusted_moments
@@ -81,7 +81,7 @@ class ContinuousDiscreteRun:
             symbols.
         """
         A, Q, start, initial_time = self._process
-        t = exact_decimals(sp.sympify(t))
+        t = read_exact_expression(t, "t")
         count = len(self.times) if t.free_symbols else sum(_is_past(time, t) for time in self.times)
         moments, time_of_moments = (
             (self.after[count - 1], self.times[count - 1]) if count else (start, initial_time)
@@ -164,6 +164,9 @@ class ContinuousDiscreteRun:
                 rows.append((time, predicted.mean[component], predicted.deviations[component]))
         return tuple(np.array(rows).T)
 
+    def __repr__(self):
+        return f"ContinuousDiscreteRun of {len(self.times)} measurements"
+
     def _repr_latex_(self):
         last = self.after[-1]._repr_latex_() if self.after else "$$"
         return (
@@ -221,8 +224,8 @@ def filter_measurements(
     """
     floats = any_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, "A", floats)
-    initial_time = exact_decimals(sp.sympify(initial_time))
-    ordered = [(exact_decimals(sp.sympify(entry.time)), entry) for entry in measurements]
+    initial_time = read_exact_expression(initial_time, "initial_time")
+    ordered = [(read_exact_expression(entry.time, "time"), entry) for entry in measurements]
     if all(time.is_number for time, _ in ordered):
         ordered.sort(key=lambda entry: float(entry[0]))
     moments, time_of_moments, rows = start, initial_time, []

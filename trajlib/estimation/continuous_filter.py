@@ -17,11 +17,12 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.arrays import read_finite_array
 from trajlib._arguments.covariances import read_covariance, read_noise
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
-from trajlib._arguments.numbers import read_times
+from trajlib._arguments.numbers import read_count, read_times
 from trajlib._arguments.state_space import accepts_state_space
-from trajlib._arguments.symbols import exact_decimals
+from trajlib._arguments.symbols import read_duration
 from trajlib._real_symbols import as_real
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
 from trajlib.estimation.covariances import Moments
@@ -135,12 +136,8 @@ class ContinuousFilter:
             If the eigenvalues of the Hamiltonian matrix need more than square roots.
         """
         P = self._read(P)
-        t = exact_decimals(sp.sympify(t))
         floats = isinstance(P, np.ndarray)
-        if t.is_negative or t.is_real is False or (floats and not t.is_number):
-            raise ValueError(
-                f"t: expected a time that is not negative{' or a symbol' * (not floats)}, got {t}"
-            )
+        t = read_duration(t, "t", floats)
         S = self.H.T @ solve(self.R, self.H)
         return (
             propagate_riccati(P, *riccati_flow(self.A, S, self.Q, float(t)))
@@ -180,11 +177,11 @@ class ContinuousFilter:
         n, m = len(self.A), len(self.H)
         times = read_times(times, repeated="a step takes time")
         steps = np.diff(times)
-        z = np.asarray(averages, dtype=float)
+        z = read_finite_array(averages, "averages", "numbers, a row for each step")
         z = z[:, None] if z.ndim == 1 and m == 1 else z
-        if z.ndim not in (2, 3) or z.shape[-2:] != (len(steps), m) or not np.isfinite(z).all():
+        if z.ndim not in (2, 3) or z.shape[-2:] != (len(steps), m):
             raise ValueError(
-                f"averages: expected finite numbers, a row for each step, of the shape "
+                f"averages: expected a row for each step, of the shape "
                 f"{(len(steps), m)}, got the shape {z.shape}"
             )
         return _filter_record(
@@ -219,6 +216,10 @@ class ContinuousFilter:
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; paths are drawn in floats")
         n, m = len(self.A), len(self.H)
+        times, paths = (
+            read_times(times, repeated="a step takes time"),
+            read_count(paths, "paths", 1),
+        )
         # the integral of z as further states, with the error of the measurement for their noise
         joint = np.block([[self.A, np.zeros((n, m))], [self.H, np.zeros((m, m))]])
         noise, covariance = np.zeros((2, n + m, n + m))
@@ -240,6 +241,9 @@ class ContinuousFilter:
         StationaryFilter
         """
         return stationary_filter(self.A, self.H, self.Q, self.R)
+
+    def __repr__(self):
+        return f"ContinuousFilter of {self.A.shape[0]} states, {self.H.shape[0]} outputs"
 
     def _read(self, P):
         return read_covariance(P, "P", self.A.shape[0], isinstance(self.A, np.ndarray))
@@ -276,6 +280,9 @@ class ContinuousRun(NamedTuple):
     times: np.ndarray
     estimates: np.ndarray
     covariances: np.ndarray
+
+    def __repr__(self):
+        return f"ContinuousRun of {len(self.times) - 1} steps, {self.estimates.shape[-1]} states"
 
 
 def _filter_record(filter, z, times, x, P):

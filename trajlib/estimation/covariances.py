@@ -57,11 +57,10 @@ class Moments:
 
     def __post_init__(self):
         floats = any_floats(self.mean, self.covariance)
-        mean = read_vector(self.mean, "mean", None, floats)
+        covariance = read_covariance(self.covariance, "covariance", None, floats)
+        object.__setattr__(self, "covariance", covariance)
+        mean = read_vector(self.mean, "mean", covariance.shape[0], floats)
         object.__setattr__(self, "mean", mean)
-        object.__setattr__(
-            self, "covariance", read_covariance(self.covariance, "covariance", len(mean), floats)
-        )
 
     @property
     def deviations(self) -> Matrix:

@@ -13,21 +13,15 @@ import numpy as np
 from trajlib._arguments.covariances import read_covariance, read_covariance_stack
 from trajlib._arguments.matrices import read_square, read_vector
 from trajlib._arguments.numbers import read_times
-from trajlib._arguments.records import read_record, read_stack
+from trajlib._arguments.records import read_inputs, read_record, read_stack
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
-from trajlib.estimation.compiled_recursion import LEAST_STEPS as COMPILED_FROM
-from trajlib.estimation.compiled_recursion import MOST_STATES, mean_steps
 from trajlib.estimation.covariances import Moments
-from trajlib.estimation.filter_covariances import at_steps, filter_covariances
+from trajlib.estimation.filter_covariances import filter_covariances
 from trajlib.estimation.filter_run import FilterRun, finished_run
-from trajlib.estimation.lane_recursion import LEAST_STEPS as LANES_FROM
-from trajlib.estimation.lane_recursion import mean_lanes
-from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
+from trajlib.estimation.recursion import BLOCK, recursion
+from trajlib.estimation.segments import mean_segments, number_of_segments
 from trajlib.estimation.van_loan import discretise_steps
-
-#: So few series are faster one by one than beside each other.
-FEW = 4
 
 
 @accepts_state_space(
@@ -196,7 +190,7 @@ class KalmanFilter:
         inputs = (
             None
             if inputs is None
-            else np.broadcast_to(np.asarray(inputs, dtype=float), (series, count, n))
+            else np.broadcast_to(read_inputs(inputs, count, n, series), (series, count, n))
         )
         predicted, estimates = np.empty((series, count, n)), np.empty((series, count, n))
         index, parts, offset = np.empty((series, count), dtype=np.int64), [], 0
@@ -221,8 +215,18 @@ class KalmanFilter:
         innovations = np.where(missing, np.nan, z - _times(self.H, predicted))
         times = np.arange(count, dtype=float) if self.times is None else self.times
         return finished_run(
-            predicted, estimates, innovations, index, times, steps, (self.Phi, self.Q), single
+            predicted,
+            estimates,
+            innovations,
+            index,
+            times,
+            steps,
+            (self.Phi, self.Q, self.H),
+            single,
         )
+
+    def __repr__(self):
+        return f"KalmanFilter of {self.Phi.shape[-1]} states, {self.H.shape[-2]} outputs"
 
     def _measurements(self, z, missing):
         z, missing, single = read_record(z, missing, self.H.shape[-2])
@@ -247,18 +251,6 @@ def _means(model, mean, z, inputs, index, matrices):
     changes = np.append(np.flatnonzero(np.diff(index)) + 1, count)
     # Stretches of constant gain that are long enough for a recursion of their own.
     long = np.flatnonzero(np.diff(np.append(0, changes)) > BLOCK)
-    if not long.size and series <= FEW and n <= MOST_STATES and count >= COMPILED_FROM:
-        runs = [
-            mean_steps(model, mean, matrices[2][index], z[i], None if inputs is None else inputs[i])
-            for i in range(series)
-        ]
-        return np.array([run[0] for run in runs]), np.array([run[1] for run in runs])
-    if not long.size and n > MOST_STATES and count >= LANES_FROM:
-        deviations = np.sqrt(np.maximum(np.einsum("kii->ki", matrices[0]), 0))[index]
-        predicted = mean_lanes(model, mean, matrices[2][index], z, inputs, deviations)
-        if predicted is not None:
-            return predicted, _corrected(model, predicted, matrices[2][index], z)
-    Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
     ends = [(int(changes[i - 1]) if i else 0, int(changes[i])) for i in long]
     predicted = np.empty((series, count, n))
     x, k = np.broadcast_to(mean, (series, n)), 0
@@ -267,38 +259,22 @@ def _means(model, mean, z, inputs, index, matrices):
             if start == stop:
                 continue
             part = slice(start, stop)
+            Phi, H = (M if M.ndim == 2 else M[part] for M in (model.Phi, model.H))
             gains = matrices[2][index[part]]
             stretch_inputs = None if inputs is None else inputs[:, part]
             if constant:
-                Phi, K = Phis[start], gains[0]
+                Phi, H, K = (M if M.ndim == 2 else M[0] for M in (Phi, H, gains))
                 forcing = z[:, part] @ (Phi @ K).T
                 forcing = forcing if stretch_inputs is None else forcing + stretch_inputs
-                states = recursion(Phi @ (np.eye(n) - K @ Hs[start]), forcing, x)
+                states = recursion(Phi @ (np.eye(n) - K @ H), forcing, x)
             else:
-                states = _stepped(Phis[part], Hs[part], gains, z[:, part], stretch_inputs, x)
+                # Many series are enough work for a step.
+                segments = 1 if series > n else number_of_segments(stop - start, n)
+                states = mean_segments(Phi, H, gains, z[:, part], stretch_inputs, x, segments)
             predicted[:, part], x = states[:, :-1], states[:, -1]
         k = last
     gains = matrices[2][index] if len(matrices[2]) > 1 else matrices[2][0]
-    return predicted, _corrected(model, predicted, gains, z)
-
-
-def _corrected(model, predicted, gains, z):
-    return predicted + _times(gains, z - _times(model.H, predicted))
-
-
-def _stepped(Phis, Hs, gains, z, inputs, x):
-    """Return the predictions for gains that differ: in chunks for few states, else step by step."""
-    if len(x[0]) <= MOST_STATES:
-        forcing = _times(Phis @ gains, z)
-        forcing = forcing if inputs is None else forcing + inputs
-        return varying_recursion(Phis @ (np.eye(len(x[0])) - gains @ Hs), forcing, x)
-    states = np.empty((len(x), len(gains) + 1, len(x[0])))
-    states[:, 0] = x
-    for k in range(len(gains)):
-        x = (x + (z[:, k] - x @ Hs[k].T) @ gains[k].T) @ Phis[k].T
-        x = x if inputs is None else x + inputs[:, k]
-        states[:, k + 1] = x
-    return states
+    return predicted, predicted + _times(gains, z - _times(model.H, predicted))
 
 
 def _times(matrix, vectors):

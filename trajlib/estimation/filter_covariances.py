@@ -3,24 +3,30 @@
 They do not depend on the data. Where they converge for constant matrices, the rest of the
 convergence is known to first order: with the error matrix F = Phi (E - KH) the changes after a
 change D add up to the X with X = F X F^T + D. Once X is below 1e-13 of the variances the gain is
-kept. A missing measurement ends that, and the covariances are stepped again.
+kept. A missing measurement ends that, and the covariances are stepped again. Where they do not settle,
+as without process noise, or with many gaps, the rest is left to `segments`.
 """
 
 import numpy as np
 
 from trajlib._arguments.covariances import ROUNDING
-from trajlib.estimation.compiled_recursion import LEAST_STEPS as COMPILED_FROM
-from trajlib.estimation.compiled_recursion import MOST_STATES, covariance_steps
-from trajlib.estimation.lane_recursion import LEAST_STEPS as LANES_FROM
-from trajlib.estimation.lane_recursion import covariance_lanes
+from trajlib.estimation.segments import (
+    LEAST_STEPS,
+    covariance_segments,
+    number_of_segments,
+    transposed,
+)
 
 #: The gain is kept once the rest of the convergence is below this share of the variances.
 SETTLED = 1e-13
 #: With fewer gaps among the steps than this, most steps keep the gain of the one before.
 GAPS = 1 / 300
-
+#: After so many steps that differ, those that follow are expected to differ as well.
+PATIENCE = 300
 #: Entries of the covariances that are checked together: what stays in the processor's cache.
-BLOCK = 8192
+BLOCK = 16384
+#: Of long records the definiteness of each so manieth covariance is checked, the variances of all.
+SAMPLE = 8
 
 LOST = (
     "the covariance has lost its definiteness to rounding: the variances differ by too many "
@@ -44,79 +50,88 @@ def filter_covariances(model, P, missing):
 
     They are P-, P+, K, S, the inverse of S for the measured components, and log det S + m log 2 pi.
     """
-    constant = all(getattr(model, name).ndim == 2 for name in ("Phi", "H", "Q", "R"))
-    count = len(missing)
-    gaps = missing.any(axis=1).sum()
-    differing = count if not constant or gaps > GAPS * count else 0
-    if differing and not has_exact_measurements(model.R):
-        if len(P) <= MOST_STATES and differing >= COMPILED_FROM:
-            return _compiled(model, P, missing)
-        if differing >= LANES_FROM and (lanes := covariance_lanes(model, P, missing)) is not None:
-            return np.arange(count), _finished(model.H, model.R, missing, *lanes)
-    Phis, Hs, Qs, Rs = (
-        at_steps(matrix, count) for matrix in (model.Phi, model.H, model.Q, model.R)
-    )
+    matrices, (count, m) = (model.Phi, model.H, model.Q, model.R), missing.shape
+    few_gaps = missing.any(axis=1).sum() <= GAPS * count
+    # Exact measurements may repeat what is known, which is decided step by step.
+    exact = has_exact_measurements(model.R)
+    segments = 1 if exact else number_of_segments(count, len(P))
+    patience = PATIENCE if few_gaps and all(M.ndim == 2 for M in matrices) else 0
+    # Memory of steps that are not needed is never touched.
+    results = [np.empty((count, len(P), columns)) for columns in (len(P), len(P), m)]
+    index, first = np.empty(count, dtype=np.int64), []
+    with np.errstate(all="ignore"):
+        k, P = _stepped(matrices, P, missing, results, index, first, 0, segments, patience)
+        if k < count and P is not None:
+            rest, done = [M if M.ndim == 2 else M[k:] for M in matrices], len(first)
+            parts = [part[done : done + count - k] for part in results]
+            if covariance_segments(rest, P, missing[k:], segments, parts):
+                index[k:] = np.arange(done, done + count - k)
+                first += range(k, count)
+            else:
+                k, P = _stepped(matrices, P, missing, results, index, first, k)
+        results = [part[: len(first)] for part in results]
+        if len(first) < count / 2:
+            results = [part.copy() for part in results]
+        before, after, gains = results
+        H, R = (M if M.ndim == 2 else M[first] for M in (model.H, model.R))
+        spread, missing = H @ before @ transposed(H) + R, missing[first]
+        if exact:
+            _check_new(spread, missing, first)
+        if P is None:
+            raise ValueError(LOST)
+        check_definiteness(after[:: SAMPLE if len(first) >= LEAST_STEPS else 1])
+        if not (np.einsum("kii->ki", after) >= 0).all():
+            raise ValueError(LOST)
+        return index, (before, after, gains, spread, *innovation_inverses(spread, missing))
+
+
+def _stepped(matrices, P, missing, results, index, first, k, segments=1, patience=0):
+    """Take steps from k on, to the end or to a step from which `segments` can take the rest.
+
+    They do so after as many steps that differ as `patience`. Returned are that step and its P-, None if
+    the covariance is lost. `first` are the steps that differ, to which `index` refers.
+    """
+    before, afters, gains = results
+    count, constant, begun = len(missing), all(M.ndim == 2 for M in matrices), len(first)
+    Phis, Hs, Qs, Rs = (at_steps(matrix, count) for matrix in matrices)
     complete, all_missing = ~missing.any(axis=1), missing.all(axis=1)
     # The first step from each on at which something is missing.
     gaps = np.append(np.flatnonzero(~complete), count)
     following = gaps[np.searchsorted(gaps, np.arange(count))]
-    index, steps, first, k = np.empty(count, dtype=np.int64), [], [], 0
-    no_gain, failed = np.zeros((len(P), Hs.shape[1])), False
-    while k < count:
-        Phi = Phis[k]
+    no_gain = np.zeros(gains.shape[1:])
+    while k < count and P is not None:
+        left = count - k
+        if (
+            segments > 1
+            and len(first) >= patience
+            and left > LEAST_STEPS // 2
+            and not left % segments
+        ):
+            break
+        Phi, after, K, lost = Phis[k], P, no_gain, False
         try:
-            if all_missing[k]:
-                after, K = P, no_gain
-            elif complete[k]:
+            if complete[k]:
                 after, K = _corrected(P, Hs[k], Rs[k])
-            else:
+            elif not all_missing[k]:
                 rows = np.flatnonzero(~missing[k])
                 after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)])
                 K = no_gain.copy()
                 K[:, rows] = gain
         except np.linalg.LinAlgError:
-            after, K, failed = P, no_gain, True
-        index[k] = len(steps)
-        steps.append((P, after, K))
+            lost = True
+        index[k] = step = len(first)
+        before[step], afters[step], gains[step] = P, after, K
         first.append(k)
-        if failed:
-            break
         predicted = Phi @ after @ Phi.T + Qs[k]
         predicted = (predicted + predicted.T) / 2
-        if constant and following[k] > k + 1 and _settled(model, P, K, predicted - P):
-            index[k : following[k]] = len(steps) - 1
+        if constant and following[k] > k + 1 and _settled(Phi, Hs[k], P, K, predicted - P):
+            index[k : following[k]] = step
             k = following[k]
         else:
             k += 1
-        P = predicted
-    before, after, gains = (np.array(part) for part in zip(*steps))
-    after = (after + after.transpose(0, 2, 1)) / 2
-    first = np.array(first)
-    if has_exact_measurements(model.R):
-        _check_new(_spread(Hs[first], Rs[first], before), missing[first], first)
-    if failed:
-        raise ValueError(LOST)
-    matrices = Hs[first], Rs[first]
-    return index, _finished(*matrices, missing[first], before, after, gains)
-
-
-def _spread(H, R, before):
-    return H @ before @ np.swapaxes(H, -1, -2) + R
-
-
-def _finished(H, R, missing, before, after, gains):
-    """Return the matrices of steps with the covariances of their innovations."""
-    check_definiteness(after)
-    spread = _spread(H, R, before)
-    return before, after, gains, spread, *innovation_inverses(spread, missing)
-
-
-def _compiled(model, P, missing):
-    before, after, gains, spread, inverse, logarithm, definite = covariance_steps(model, P, missing)
-    if not (np.isfinite(definite).all() and np.isfinite(before).all()):
-        raise ValueError(LOST)
-    logarithm = logarithm + (~missing).sum(axis=1) * np.log(2 * np.pi)
-    return np.arange(len(missing)), (before, after, gains, spread, inverse, logarithm)
+        P = None if lost else predicted
+    symmetrise(afters[begun : len(first)])
+    return k, P
 
 
 def _corrected(P, H, R):
@@ -135,11 +150,31 @@ def _corrected(P, H, R):
 
 def innovation_inverses(spread, missing):
     """Return S^-1 of the measured components, zero elsewhere, and their log det S + m log 2 pi."""
-    block = _measured_block(spread, missing)
-    if not np.isfinite(block).all():
+    inverses, logarithm = _inverse_and_logarithm(_measured_block(spread, missing))
+    if not (np.isfinite(inverses).all() and np.isfinite(logarithm).all()):
         raise ValueError(LOST)
-    logarithm = np.linalg.slogdet(block)[1] + (~missing).sum(axis=1) * np.log(2 * np.pi)
-    return np.where(_both_measured(missing), np.linalg.inv(block), 0.0), logarithm
+    inverses[~_both_measured(missing)] = 0
+    return inverses, logarithm + (~missing).sum(axis=1) * np.log(2 * np.pi)
+
+
+def _inverse_and_logarithm(matrices):
+    """Return the inverses of positive definite matrices and log det, which is nan of others.
+
+    Each component is eliminated from all matrices at once, which takes less time for few components
+    than a call of LAPACK for each matrix.
+    """
+    inverses, logarithm = matrices.copy(), 0.0
+    for j in range(matrices.shape[-1]):
+        pivot = inverses[..., j, j].copy()
+        row = inverses[..., j, :] / pivot[..., None]
+        row[..., j] = 1 / pivot
+        column = inverses[..., :, j].copy()
+        column[..., j] = 0
+        inverses[..., :, j] = 0
+        inverses -= column[..., :, None] * row[..., None, :]
+        inverses[..., j, :] = row
+        logarithm = logarithm + np.log(pivot)
+    return inverses, logarithm
 
 
 def _measured_block(spread, missing):
@@ -154,7 +189,7 @@ def _both_measured(missing):
     return ~missing[:, :, None] & ~missing[:, None, :]
 
 
-def _settled(model, P, K, change):
+def _settled(Phi, H, P, K, change):
     """Return whether the rest of the convergence, after a step of size `change`, is negligible."""
     # One entry decides most steps at almost no cost.
     if not abs(change[0, 0]) <= SETTLED * P[0, 0]:
@@ -164,7 +199,7 @@ def _settled(model, P, K, change):
         return False
     from scipy.linalg import solve_discrete_lyapunov
 
-    F = model.Phi @ (np.eye(len(P)) - K @ model.H)
+    F = Phi @ (np.eye(len(P)) - K @ H)
     if np.abs(np.linalg.eigvals(F)).max() >= 1 - 1e-10:
         return False
     remaining = solve_discrete_lyapunov(F, change)
@@ -195,11 +230,22 @@ def _check_new(spread, missing, numbers):
         raise ValueError(REPEATED.format(numbers[np.argmax(repeated)]))
 
 
-def check_definiteness(covariances):
-    """Raise ValueError if a covariance has lost its definiteness to rounding."""
+def symmetrise(covariances):
+    """Make covariances symmetric in their place."""
+    for block in _blocks(covariances):
+        block[:] = (block + block.transpose(0, 2, 1)) / 2
+
+
+def _blocks(covariances):
+    """Yield parts of a stack of matrices that stay in the processor's cache."""
     size = max(1, BLOCK // covariances.shape[-1] ** 2)
     for first in range(0, len(covariances), size):
-        block = covariances[first : first + size]
+        yield covariances[first : first + size]
+
+
+def check_definiteness(covariances):
+    """Raise ValueError if a covariance has lost its definiteness to rounding."""
+    for block in _blocks(covariances):
         variances = np.einsum("kii->ki", block)
         shifted = block.copy()
         # As much more as would make a difference of ROUNDING in units of their own.

@@ -7,6 +7,7 @@ from itertools import cycle
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.arrays import read_array
 
 
 def plot_states(times, estimates, covariances, truth, label, rows=0):
@@ -14,6 +15,10 @@ def plot_states(times, estimates, covariances, truth, label, rows=0):
     import matplotlib.pyplot as plt
 
     n = estimates.shape[1]
+    if truth is not None:
+        truth = read_array(truth, "truth", "states as numbers")
+        if truth.shape != estimates.shape:
+            raise ValueError(f"truth: expected the shape {estimates.shape}, got {truth.shape}")
     deviations = np.sqrt(np.maximum(np.einsum("kii->ki", covariances), 0))
     with plotting.style():
         figure, axes = plt.subplots(
@@ -23,7 +28,7 @@ def plot_states(times, estimates, covariances, truth, label, rows=0):
         for i, ax in enumerate(axes[:n]):
             plotting.estimate(times, estimates[:, i], deviations[:, i], ax, label)
             if truth is not None:
-                ax.plot(times, np.asarray(truth)[:, i], color=plotting.BLACK, ls="--", label="true")
+                ax.plot(times, truth[:, i], color=plotting.BLACK, ls="--", label="true")
             ax.set_ylabel(rf"$x_{{{i + 1}}}$")
         axes[0].legend()
         axes[-1].set_xlabel("time")

@@ -40,7 +40,7 @@ class FilterRun:
     log_likelihood: float | np.ndarray | None
     times: np.ndarray
     _steps: tuple[np.ndarray, ...]
-    _transitions: tuple[np.ndarray, np.ndarray]
+    _transitions: tuple[np.ndarray, np.ndarray, np.ndarray | None]
 
     @property
     def covariances(self) -> np.ndarray:
@@ -102,7 +102,7 @@ class FilterRun:
         >>> smoothed.estimates.ravel().round(9).tolist(), smoothed.covariances.ravel().round(9).tolist()
         ([1.0, 2.0], [0.4, 0.6])
         """
-        return smooth(self, self.times, self._transitions, self._steps[1])
+        return smooth(self, self.times, self._transitions, self._steps)
 
     def plot(self, series: int = 0, truth: ArrayLike | None = None) -> np.ndarray:
         """Draw each state with a band of two standard deviations, and below the innovations.

@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
-from trajlib._arguments.matrices import any_floats, read_vector
+from trajlib._arguments.matrices import any_floats, read_square, read_vector
 from trajlib._arguments.numbers import read_seconds
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, Scalar, ScalarLike
@@ -50,9 +50,7 @@ class OptimalWeights:
         scalar or ndarray
         """
         if isinstance(self.weights, np.ndarray):
-            return mean + self.weights @ (
-                read_vector(np.asarray(z, float), "z", self.weights.shape[-1], True) - mean
-            )
+            return mean + self.weights @ (read_vector(z, "z", self.weights.shape[-1], True) - mean)
         z = read_vector(z, "z", len(self.weights), False)
         return mean + sum(w * (value - mean) for w, value in zip(self.weights, z))
 
@@ -157,8 +155,9 @@ def _shortest(entry):
 
 
 def _noise_covariance(noise, count, floats):
-    if np.ndim(noise) == 0 and not isinstance(noise, sp.MatrixBase):
-        noise = np.eye(count) * float(noise) if floats else sp.eye(count) * noise
+    noise = read_square(noise, "noise", floats)
+    if noise.shape == (1, 1):
+        noise = (np.eye if floats else sp.eye)(count) * noise[0, 0]
     return read_covariance(noise, "noise", count, floats)
 
 

@@ -15,7 +15,7 @@ import sympy as sp
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
 from trajlib._arguments.state_space import accepts_state_space
-from trajlib._arguments.symbols import exact_decimals
+from trajlib._arguments.symbols import read_duration, read_exact_expression
 from trajlib._real_symbols import as_real
 from trajlib._typing import Matrix, MatrixLike, ScalarLike
 from trajlib.estimation.covariances import Moments, trusted_moments
@@ -113,7 +113,7 @@ def discrete_moments(
     Matrix([[k*q]])
     """
     Phi, Q, mean, P, floats = _read(Phi, Q, start, "Phi")
-    steps = sp.sympify(steps)
+    steps = read_exact_expression(steps, "steps")
     if steps.is_Integer and steps >= 0:
         transition, noise = _repeated(Phi, Q, int(steps))
         return trusted_moments(transition @ mean, symmetric(transition @ P @ transition.T + noise))
@@ -174,11 +174,7 @@ def continuous_moments(A: MatrixLike, Q: MatrixLike, start: Moments, t: ScalarLi
     (-Q/(2*a) + (Q + 2*a*p)*exp(2*a*t)/(2*a), Ne(a, 0))
     """
     A, Q, mean, P, floats = _read(A, Q, start, "A")
-    t = exact_decimals(sp.sympify(t))
-    if t.is_negative or t.is_real is False or t in (sp.oo, sp.nan) or (floats and not t.is_number):
-        raise ValueError(
-            f"t: expected a time that is not negative{' or a symbol' * (not floats)}, got {t}"
-        )
+    t = read_duration(t, "t", floats)
     if floats:
         (transition,), (noise,) = discretise_steps(A, Q, [float(t)])
         return trusted_moments(transition @ mean, symmetric(transition @ P @ transition.T + noise))
@@ -225,15 +221,14 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
     """
     floats = any_floats(A, Q)
     A = read_square(A, "A", floats)
+    step = read_duration(step, "step", floats)
     if floats:
         Q = read_covariance(Q, "Q", A.shape[0], True)
-        if not (np.isfinite(float(step)) and float(step) >= 0):
-            raise ValueError(f"step: expected a time that is not negative, got {step}")
         Phi, noise = discretise_steps(A, Q, [float(step)])
         return DiscreteModel(Phi[0], noise[0])
     n = A.rows
     moments = continuous_moments(A, Q, trusted_moments(sp.zeros(n, 1), sp.zeros(n)), step)
-    return DiscreteModel(transition(A, exact_decimals(sp.sympify(step))), moments.covariance)
+    return DiscreteModel(transition(A, step), moments.covariance)
 
 
 @accepts_state_space("A", "B", time="continuous", instead="it is discretised already")

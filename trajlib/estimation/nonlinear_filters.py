@@ -20,7 +20,8 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance, read_covariance_stack
 from trajlib._arguments.matrices import read_vector
-from trajlib._arguments.records import read_record, read_stack
+from trajlib._arguments.numbers import read_number
+from trajlib._arguments.records import read_inputs, read_record, read_stack
 from trajlib._arguments.symbols import join_names, read_expressions, read_symbols
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
@@ -140,11 +141,14 @@ class ExtendedKalmanFilter:
             raise ValueError("z: expected the shape (N, m); run each series by itself")
         return _run(self, self._passes(), z[0], missing[0], start, inputs)
 
+    def __repr__(self):
+        return f"{type(self).__name__} of {len(self.states)} states, {len(self.h)} outputs"
+
     def _passes(self):
         return _Linearised(self)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class UnscentedKalmanFilter(ExtendedKalmanFilter):
     """Unscented Kalman filter (UKF) of x_{k+1} = f(x_k, u_k) + q_k, z_k = h(x_k) + r_k.
 
@@ -184,8 +188,8 @@ class UnscentedKalmanFilter(ExtendedKalmanFilter):
     def __post_init__(self):
         super().__post_init__()
         n = len(self.states)
-        kappa = float(max(3 - n, 0) if self.kappa is None else self.kappa)
-        if not (0 <= kappa < np.inf):
+        kappa = float(max(3 - n, 0)) if self.kappa is None else read_number(self.kappa, "kappa")
+        if kappa < 0:
             raise ValueError(f"kappa: expected a number that is not negative, got {self.kappa}")
         object.__setattr__(self, "kappa", kappa)
 
@@ -275,7 +279,7 @@ def _run(filter, passes, z, missing, start, inputs):
     from scipy.linalg import cho_factor, cho_solve
 
     count, n, m = len(z), len(filter.states), len(filter.h)
-    inputs = _read_inputs(inputs, count, len(filter.inputs))
+    inputs = _inputs_of_steps(inputs, count, len(filter.inputs))
     Qs, Rs = at_steps(filter.Q, count), at_steps(filter.R, count)
     x, P = (
         read_vector(start.mean, "mean", n, True),
@@ -316,7 +320,7 @@ def _run(filter, passes, z, missing, start, inputs):
         np.arange(count)[None],
         np.arange(count, dtype=float),
         steps,
-        (transitions, noise),
+        (transitions, noise, None),
         True,
     )
 
@@ -329,15 +333,9 @@ def _effective_noise(before, after, transitions, Qs):
     return noise
 
 
-def _read_inputs(inputs, count, length):
+def _inputs_of_steps(inputs, count, length):
     if inputs is None and not length:
         return np.zeros((count, 0))
     if inputs is None:
-        raise ValueError(f"inputs: expected {length} numbers for each step")
-    array = np.asarray(inputs, dtype=float)
-    array = array[:, None] if array.ndim == 1 and length == 1 else array
-    if array.shape != (count, length) or not np.isfinite(array).all():
-        raise ValueError(
-            f"inputs: expected finite numbers of the shape {(count, length)}, got {array.shape}"
-        )
-    return array
+        raise ValueError(f"inputs: expected {length} number{'s' * (length != 1)} for each step")
+    return read_inputs(inputs, count, length)

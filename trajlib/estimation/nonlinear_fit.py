@@ -125,13 +125,9 @@ def gauss_newton(
             f"h: it also has {', '.join(sorted(map(str, foreign)))}; give these values"
         )
     m, n = functions.rows, len(variables)
-    z = read_vector(np.asarray(z, dtype=float), "z", m, True)
-    x = read_vector(np.asarray(start, dtype=float), "start", n, True)
-    R = (
-        np.eye(m)
-        if R is None
-        else read_covariance(np.asarray(R, dtype=float), "R", m, True, definite=True)
-    )
+    z = read_vector(z, "z", m, True)
+    x = read_vector(start, "start", n, True)
+    R = np.eye(m) if R is None else read_covariance(R, "R", m, True, definite=True)
     return _iterate(_Whitened(functions, z, variables, R), x, tolerance, max_steps)
 
 

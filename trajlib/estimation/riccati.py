@@ -12,6 +12,8 @@ axis: c > 0, c0 > 0 and 2 beta > c1. In discrete time the symplectic pencil L - 
 Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 """
 
+from contextlib import suppress
+
 import numpy as np
 import sympy as sp
 
@@ -43,6 +45,10 @@ def discrete_hamiltonian(Phi, H, Q, R):
         return None
 
 
+class _EigenvalueOnAxis(Exception):
+    """An eigenvalue of the Hamiltonian matrix is imaginary: there is no stabilising solution."""
+
+
 class Stabilising:
     """Stabilising solution for a Hamiltonian matrix.
 
@@ -63,13 +69,11 @@ class Stabilising:
             return
         to_real, self._from_real = as_real(hamiltonian)
         M = hamiltonian.xreplace(to_real)
-        factor = self._stable_factor(M)
-        if factor is None or any(condition == sp.false for condition in self._conditions):
-            return
-        self._solve(M, factor)
+        with suppress(_EigenvalueOnAxis):
+            self._solve(M, self._stable_factor(M))
 
     def _stable_factor(self, M):
-        """Return the coefficients of p, highest first; None for an eigenvalue on the axis."""
+        """Return the coefficients of p, highest first."""
         polynomial = M.charpoly()
         s = polynomial.gen
         parts = [
@@ -81,7 +85,7 @@ class Stabilising:
         while parts:
             f, times = parts.pop()
             if f.nth(0) == 0:
-                return None
+                raise _EigenvalueOnAxis
             mirrored = sp.Poly(f.as_expr().subs(s, -s), s).monic()
             if f == mirrored:
                 piece = self._half(f)
@@ -141,9 +145,12 @@ class Stabilising:
         square = sp.factor(square)
         value = square.xreplace(dict(self._expanded_roots()))
         if not value.free_symbols:
-            self._conditions.append(sp.sympify(sign_of_number(value) > 0))
-        elif not value.is_positive:
-            self._conditions.append(_positive(value))
+            condition = sp.sympify(sign_of_number(value) > 0)
+        else:
+            condition = sp.true if value.is_positive else _positive(value)
+        if condition == sp.false:
+            raise _EigenvalueOnAxis
+        self._conditions.append(condition)
         root = sp.sqrt(sp.sqrtdenest(square)) if not square.free_symbols else sp.sqrt(square)
         if not root.atoms(sp.Pow) - square.atoms(sp.Pow) or root.is_Rational:
             return root

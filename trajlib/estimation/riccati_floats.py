@@ -1,38 +1,47 @@
-"""Algebraic Riccati equations in floats: balanced, solved, refined, with an estimate of the error.
+"""Algebraic Riccati equations in floats: balanced, solved, refined, and judged.
 
     0 = A P + P A^T + Q - P H^T R^-1 H P              or        P = A P A^T + Q - A P H^T (H P H^T + R)^-1 H P A^T
 
 States are measured in units (powers of two, which cost no digit) that balance the Hamiltonian
 matrix, outputs in those of their noise. A first P comes from the stable invariant subspace of that
 matrix (A. J. Laub, 1979), or from the doubling algorithm (E. K.-W. Chu, H.-Y. Fan, W.-W. Lin, 2005).
-Newton's method (D. L. Kleinman, 1968) refines it: with the gain K of P and F = A - KH
+Newton's method (D. L. Kleinman, 1968) refines it: with S(P) what is left of the equation, the gain K
+of P and F = A - KH
 
-    F D + D F^T = -S(P),   S(P) = F P + P F^T + Q + K R K^T,    P <- P + D,
+    F D + D F^T = -S(P)    or    F D F^T - D = -S(P),    P <- P + D.
 
-or F D F^T - D = -S(P), S(P) = F P F^T + Q + K R K^T - P. An error of K enters S in second order only.
-S, the small difference of large terms, and P itself are computed in twice the precision
-(`compensated`), and the equation for D in coordinates in which P is near the identity, since D needs
-few correct digits only. So P + D is nearly always exact but for its own rounding, and what the last
-step changes, with that rounding, is the estimate of the error.
+S, the small difference of large terms, is computed in twice the precision (`compensated`), and the
+equation for D is solved in coordinates in which P is near the identity, since D needs few correct
+digits only. So P + D is nearly always exact but for its own rounding.
+
+Whether there is a stabilising solution, and how near it is, follows from one inequality (L. V.
+Kantorovich, 1948). Let F be stable, l the norm of the inverse of D -> F D + D F^T, s that of H^T R^-1 H and
+r that of S(P). If 4 l^2 s r < 1, there is one within 2 l r of P. Then the Hamiltonian matrix has no
+eigenvalue on the imaginary axis. In discrete time s is the norm of H^T (H P H^T + R)^-1 H, and if
+16 l^2 s r max(1, |F|^2) < 1, the symplectic pencil has no eigenvalue on the unit circle. With r
+enlarged by what the rounding of A, H, Q and R may change, and F stable after such a change too, the
+verdict is that for all such data.
 """
 
 import warnings
-from contextlib import suppress
 from copy import copy
 from typing import NamedTuple
 
 import numpy as np
+from numpy.linalg import norm
 
-from trajlib.estimation.compensated import negative, pair, product, total, transpose
+from trajlib.estimation.compensated import product, total
 
 #: Steps of Newton's method and of the doubling algorithm; both converge quadratically.
 STEPS = 40
-#: The estimate is this multiple of what the last step changes.
+#: The estimate is this multiple of the bound for the error, or of what the last step changes.
 SAFETY = 4
 #: How much more noise, beside what is given, makes an equation easy to solve.
 MORE_NOISE = 1e8
-#: A slower decay, a greater error and a greater norm of P in balanced units are doubtful: a mode may
-#: be unmeasured, or free of noise on the border of stability, but for rounding.
+#: Room for the blocked algorithms of LAPACK, for each row.
+WORK = 64
+#: For a semidefinite Q a slower decay, a greater error and a greater norm of P in balanced units are
+#: doubtful: a mode may be unmeasured, or free of noise on the border of stability, but for rounding.
 SLOW, ROUGH, LARGE = 1e-8, 1e-8, 1e24
 EPS = np.finfo(float).eps
 
@@ -43,7 +52,7 @@ class RiccatiSolution(NamedTuple):
     `gain` is that of the correction, K = P H^T R^-1 or P H^T (H P H^T + R)^-1, `loop` A - KH or A (I - KH).
     `residual` is the norm of what is left of the equation beside the norms of the factors of its terms,
     `error` an estimate of |dP|/|P|, in Frobenius norms and the greater of those in the given and in
-    balanced units. `doubtful` if an equation that has no such solution may look like this one.
+    balanced units. `certain` unless an equation that has no such solution may look like this one.
     """
 
     P: np.ndarray
@@ -51,131 +60,258 @@ class RiccatiSolution(NamedTuple):
     loop: np.ndarray
     residual: float
     error: float
-    doubtful: bool
+    certain: bool
 
 
-def solve_riccati(A, H, Q, R, discrete):
-    """Return the `RiccatiSolution` for arrays, or None if none was found."""
-    noise = _powers_of_two(np.sqrt(np.diag(R)))
-    H, R = H / noise[:, None], R / np.outer(noise, noise)
+def stabilising_solution(A, H, Q, R, discrete, definite, obstacle):
+    """Return the `RiccatiSolution` for arrays, or in words why there is none.
+
+    No solution of an algebraic Riccati equation in floats is returned but by this function. If Q is
+    semidefinite, which is called `definite`, rank tests decide whether there is one. They are asked by
+    `obstacle()`, which returns the reason or None, only where a mode may be hidden but for rounding:
+    they take many times as long. If Q is indefinite the inequality decides; where it does not hold,
+    `obstacle()` returns a reason that it found otherwise, or raises LinAlgError.
+    """
+    solution = _solve(A, H, Q, R, discrete, definite)
+    if solution is not None and solution.certain:
+        return solution
+    reason = obstacle()
+    if reason is None and solution is None:
+        raise np.linalg.LinAlgError(
+            "not found: the Riccati equation has a stabilising solution (by the rank tests no mode is "
+            "in its way), but its entries differ by more than floats can hold, since a mode is hardly "
+            "measured, hardly controlled or hardly driven; change that, or give exact entries (SymPy)"
+        )
+    return reason or solution
+
+
+def _solve(A, H, Q, R, discrete, definite):
+    """Return the `RiccatiSolution`, or None if none was found."""
+    noise = _powers_of_two(np.sqrt(R.diagonal()))
+    H, R = H / noise[:, None], R / (noise[:, None] * noise)
     units = _units(A, H.T @ np.linalg.solve(R, H), Q)
-    equation = _Equation(
-        A * units / units[:, None], H * units, Q / np.outer(units, units), R, discrete
-    )
-    for start in (_zero, _by_subspace, _by_doubling, _with_more_noise):
-        # Ill-conditioned steps are no error: the result is judged by its own residual. A ValueError,
-        # as LinAlgError is one, says that a step is singular or no longer finite.
-        with np.errstate(all="ignore"), warnings.catch_warnings(), suppress(ValueError):
-            warnings.simplefilter("ignore")
-            refined = _refined(equation, start(equation), units)
-            if refined is None:
+    scale = units[:, None] * units
+    balanced = (A * units / units[:, None], H * units, Q / scale, R)
+    equation = (_Discrete if discrete else _Continuous)(*balanced)
+    # Ill-conditioned steps are no error: the result is judged by its own residual.
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for start in (_zero, _by_subspace, _by_doubling, _with_more_noise):
+            try:
+                P = start(equation)
+                refined = None if P is None else _refined(equation, P, units, definite)
+            except ValueError:  # as LinAlgError is one: a step is singular or no longer finite
                 continue
-            return refined._replace(
-                P=refined.P * np.outer(units, units),
-                gain=refined.gain * units[:, None] / noise,
-                loop=refined.loop * units[:, None] / units,
-            )
+            if refined is not None:
+                P, gain, loop, *known = refined
+                gain, loop = gain * units[:, None] / noise, loop * units[:, None] / units
+                return RiccatiSolution(P * scale, gain, loop, *known)
     return None
+
+
+class _Point(NamedTuple):
+    """The equation at one P.
+
+    `remainder` is S(P), `terms` the sum of the norms of the factors of its terms, and `push` H^T R^-1, in
+    discrete time H^T (H P H^T + R)^-1.
+    """
+
+    gain: np.ndarray
+    loop: np.ndarray
+    remainder: np.ndarray
+    terms: float
+    push: np.ndarray
 
 
 class _Equation:
     """The equation in balanced units."""
 
-    def __init__(self, A, H, Q, R, discrete):
-        self.A, self.H, self.Q, self.R, self.discrete = A, H, Q, R, discrete
+    def __init__(self, A, H, Q, R):
+        self.A, self.H, self.Q, self.R = A, H, Q, R
 
-    def gain(self, P):
-        """Return the gain of the correction, as a pair."""
-        from scipy.linalg import cho_factor, cho_solve
+    def corrected(self, P, shown, weight):
+        """Return the gain K, its share of P to be subtracted, as a pair, and `push`.
 
-        shown, spread = product(pair(self.H), P), pair(self.R)
-        if self.discrete:
-            spread = total(product(shown, pair(self.H.T)), spread)
-        factor = cho_factor(spread[0])
-        gain = pair(cho_solve(factor, shown[0]))
-        for _ in range(2):
-            remainder = total(shown, negative(product(spread, gain)))
-            gain = total(gain, pair(cho_solve(factor, remainder[0])))
-        return transpose(gain)
+        For a weight W and Y = HP that share is Y^T W^-1 Y. With the rounded K and E = W K^T - Y it is
+        K(Y - E)/2, its transpose and E^T W^-1 E, in which E needs no more digits.
+        """
+        from scipy.linalg.lapack import dpotrf, dpotrs
 
-    def loop(self, gain):
-        """Return the gain that enters the error equations, and their matrix F, as pairs."""
-        gain = product(pair(self.A), gain) if self.discrete else gain
-        return gain, total(pair(self.A), negative(product(gain, pair(self.H))))
-
-    def remainder(self, gain, loop, P):
-        """Return S(P), and the sum of the norms of its terms: for a product those of its factors."""
-        noise = product(gain, pair(self.R), transpose(gain))
-        term = product(loop, P)
-        if self.discrete:
-            terms = [product(term, transpose(loop)), negative(P)]
-        else:
-            terms = [term, transpose(term)]
-        terms += [pair(self.Q), noise]
-        size, weight = np.linalg.norm(loop[0]), np.linalg.norm(P[0])
-        size = weight * (1 + size**2) if self.discrete else 2 * weight * size
-        return total(*terms)[0], size + np.linalg.norm(self.Q) + np.linalg.norm(noise[0])
-
-    def applied(self, loop, D):
-        """Return F D + D F^T or F D F^T - D."""
-        return loop @ D @ loop.T - D if self.discrete else loop @ D + D @ loop.T
-
-    def correction(self, loop, remainder):
-        """Return the D for which `applied` is -S."""
-        from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
-
-        if self.discrete:
-            return solve_discrete_lyapunov(loop, remainder)
-        return solve_continuous_lyapunov(loop, -remainder)
-
-    def decay(self, loop):
-        """Return how fast the slowest mode decays, beside the fastest; not positive if it does not."""
-        values = np.linalg.eigvals(loop)
-        if self.discrete:
-            return 1 - np.abs(values).max()
-        return -values.real.max() / (np.abs(values).max() or 1)
+        factor, failed = dpotrf(weight[0])
+        if failed:
+            raise np.linalg.LinAlgError("H P H^T + R is not positive definite")
+        gain = dpotrs(factor, shown[0])[0].T
+        high, low = total(product(weight, gain.T), (-shown[0], -shown[1]))
+        fault = high + low
+        high, low = total(shown, (-fault, 0.0))
+        high, low = product(gain / 2, (high, low))
+        square = fault.T @ dpotrs(factor, fault)[0]
+        share = total((high, low), (high.T, low.T), (square, 0.0))
+        return gain, share, dpotrs(factor, self.H)[0].T
 
 
-def _refined(equation, P, units):
-    """Return the solution from a first P by Newton's method, or None if it does not converge."""
-    if P is None or not np.isfinite(P).all():
+class _Continuous(_Equation):
+    def at(self, P):
+        A, H, Q, R = self.A, self.H, self.Q, self.R
+        shown = product(H, P)
+        gain, share, push = self.corrected(P, shown, (R, np.zeros_like(R)))
+        high, low = product(A, P)
+        high, low = total((high, low), (high.T, low.T), (Q, 0.0), (-share[0], -share[1]))
+        P = P[0]
+        loop = A - gain @ H
+        terms = 2 * norm(loop) * norm(P) + norm(Q) + norm(gain @ R @ gain.T)
+        return _Point(gain, loop, high + low, terms, push)
+
+    def rounding(self, P, point):
+        """Return bounds for what the rounding of the data changes in S(P) and in F, beside EPS."""
+        gain, P = np.abs(point.gain), np.abs(P)
+        loop = np.abs(self.A) + gain @ np.abs(self.H)
+        half = loop @ P + gain @ np.abs(self.R) @ gain.T / 2
+        return half + half.T + np.abs(self.Q), loop
+
+    def linear(self, F):
+        """Return how fast the slowest mode decays beside the fastest, and the solver for D."""
+        from scipy.linalg.lapack import dgees, dtrsyl
+
+        T, _, real, imaginary, U, _, _ = dgees(_no_order, F, lwork=WORK * len(F))
+
+        def solve(C):
+            D, scale, _ = dtrsyl(T, T, U.T @ C @ U, tranb="T")
+            return U @ D @ U.T / -scale
+
+        return -real.max() / (np.hypot(real, imaginary).max() or 1), solve
+
+    def applied(self, F, D):
+        """Return the left side of the linear equation for D."""
+        return F @ D + D @ F.T
+
+    def square(self, F, spread):
+        """Return a bound for the part of S(P + D) that is quadratic in D, beside |D|^2."""
+        return spread
+
+    def contraction(self, F, inverse, spread, remainder):
+        """Return what has to be less than 1 for a stabilising solution."""
+        return 4 * inverse**2 * spread * remainder
+
+    def weakening(self, F, change):
+        """Return how much a change of F changes in the linear equation, beside |D|."""
+        return 2 * change
+
+    def improved(self, point, D):
+        """Return gain and loop for P + D."""
+        gain = point.gain + D @ point.push
+        return gain, self.A - gain @ self.H
+
+
+class _Discrete(_Equation):
+    def at(self, P):
+        A, H, Q, R = self.A, self.H, self.Q, self.R
+        shown = product(H, P)
+        weight = total(product(shown, H.T), (R, 0.0))
+        gain, share, push = self.corrected(P, shown, weight)
+        kept = total(P, (-share[0], -share[1]))
+        high, low = total(product(product(A, kept), A.T), (Q, 0.0), (-P[0], -P[1]))
+        P = P[0]
+        ahead = A @ gain
+        loop = A - ahead @ H
+        terms = norm(P) * (1 + norm(loop) ** 2) + norm(Q) + norm(ahead @ R @ ahead.T)
+        return _Point(gain, loop, high + low, terms, push)
+
+    def rounding(self, P, point):
+        A, ahead = np.abs(self.A), np.abs(self.A @ point.gain)
+        loop = A + ahead @ np.abs(self.H)
+        kept = P - point.gain @ (self.H @ P)
+        half = A @ np.abs(kept) @ A.T + ahead @ (
+            np.abs(self.H) @ np.abs(P) @ np.abs(point.loop.T) + np.abs(self.R) @ ahead.T / 2
+        )
+        return half + half.T + np.abs(self.Q), loop
+
+    def linear(self, F):
+        from scipy.linalg import solve_discrete_lyapunov
+
+        return 1 - np.abs(np.linalg.eigvals(F)).max(), lambda C: solve_discrete_lyapunov(F, C)
+
+    def applied(self, F, D):
+        return F @ D @ F.T - D
+
+    def square(self, F, spread):
+        return 2 * spread * norm(F) ** 2
+
+    def contraction(self, F, inverse, spread, remainder):
+        return 16 * inverse**2 * spread * remainder * max(1, norm(F) ** 2)
+
+    def weakening(self, F, change):
+        return change * (2 * norm(F) + change)
+
+    def improved(self, point, D):
+        gain = point.gain + (D - point.gain @ (self.H @ D)) @ point.push
+        return gain, self.A - (self.A @ gain) @ self.H
+
+
+def _refined(equation, P, units, definite):
+    """Return the fields of the solution from a first P, or None if Newton's method does not converge."""
+    if not np.isfinite(P).all():
         return None
-    P, last = pair((P + P.T) / 2), np.inf
+    P, last = ((P + P.T) / 2, np.zeros_like(P)), np.inf
     for _ in range(STEPS):
-        gain = equation.gain(P)
-        pushed, loop = equation.loop(gain)
-        remainder, terms = equation.remainder(pushed, loop, P)
-        axes = _axes(P[0])
-        back = np.linalg.inv(axes)
-        inner = back @ loop[0] @ axes
-        if not np.isfinite(inner).all() or not (decay := equation.decay(inner)) > 0:
+        point = equation.at(P)
+        axes, back = _axes(P[0])
+        F, remainder = back @ point.loop @ axes, back @ point.remainder @ back.T
+        if not np.isfinite(F).all():
             return None
-        D = axes @ equation.correction(inner, back @ remainder @ back.T) @ axes.T
-        change, wrong = _beside(D, P[0], units), _beside(P[1] + D, P[0], units)
-        if change < EPS / 16 or last / 2 <= change < 1e-3:
+        decay, solve = equation.linear(F)
+        if not decay > 0:
+            return None
+        inner, inverse = solve(remainder), norm(solve(np.eye(len(F))))
+        spread = norm(axes.T @ point.push @ (equation.H @ axes))
+        D = axes @ inner @ axes.T
+        D = (D + D.T) / 2
+        size = norm(inner)
+        rounding, of_loop = equation.rounding(P[0], point)
+        change_of_loop = EPS * norm(np.abs(back) @ of_loop @ np.abs(axes))
+        left = norm(remainder)
+        if not definite:
+            left += EPS * norm(np.abs(back) @ rounding @ np.abs(back.T))
+        weakening = equation.weakening(F, change_of_loop)
+        solvable = inverse * weakening < 1 and equation.contraction(F, inverse, spread, left) < 1
+        # What is wrong in D: the linear equation, its two sides, and what is quadratic in D.
+        unsolved = norm(equation.applied(F, inner) + remainder)
+        sides = weakening * size + EPS * norm(
+            np.abs(back) @ np.abs(point.remainder) @ np.abs(back.T)
+        )
+        square = equation.square(F, spread) * size**2
+        bound = inverse * (unsolved + sides + square) * len(F) ** 0.5
+        if solvable and bound < EPS:
+            change = bound
             break
-        P, last = total(P, pair((D + D.T) / 2)), change
-    if not wrong * SAFETY < 0.1:
+        change = _beside(D, P[0], units)
+        if last / 2 <= change < 1e-3:
+            break
+        P, last = total(P, (D, 0.0)), change
+    if not SAFETY * change < 0.1:
         return None
-    residual = np.linalg.norm(remainder - equation.applied(loop[0], P[1])) / (terms or 1)
-    error = float(SAFETY * wrong + EPS)
-    doubtful = decay < SLOW or error > ROUGH or np.linalg.norm(P[0]) > LARGE
-    return RiccatiSolution(P[0], gain[0], loop[0], float(residual), error, bool(doubtful))
+    rounded = P[0] + (P[1] + D)
+    moved = (rounded - P[0]) - P[1]
+    residual = norm(point.remainder + equation.applied(point.loop, moved)) / (point.terms or 1)
+    gain, loop = equation.improved(point, D)
+    error = float(SAFETY * change + EPS)
+    if definite:
+        solvable = decay >= SLOW and error <= ROUGH and norm(P[0]) <= LARGE
+    return rounded, gain, loop, float(residual), error, bool(solvable)
 
 
 def _axes(P):
-    """Return coordinates in which P is the identity, where rounding leaves it positive."""
+    """Return coordinates in which P is diagonal with 1 or -1, and the way back, where it is regular."""
     values, vectors = np.linalg.eigh(P)
-    largest = values[-1] if values[-1] > 0 else 1.0
-    return vectors * np.sqrt(np.maximum(values, 1e-15 * largest))
+    sizes = np.abs(values)
+    roots = np.sqrt(np.maximum(sizes, 1e-15 * sizes.max())) if sizes.any() else np.ones(len(P))
+    return vectors * roots, (vectors / roots).T
 
 
 def _beside(D, P, units):
     """Return |D|/|P| in balanced units or in those given, whichever is greater."""
-    size = np.outer(units, units)
-    return max(
-        np.linalg.norm(D * scale) / (np.linalg.norm(P * scale) or 1) for scale in (1.0, size)
-    )
+    size = units[:, None] * units
+    return max(norm(D) / (norm(P) or 1), norm(D * size) / (norm(P * size) or 1))
 
 
 def _zero(equation):
@@ -185,23 +321,28 @@ def _zero(equation):
 
 def _by_subspace(equation):
     """Return P from the stable invariant subspace (E; P), or None."""
-    import scipy.linalg
-
     A, H, Q, R = equation.A, equation.H, equation.Q, equation.R
-    if equation.discrete:
-        return scipy.linalg.solve_discrete_are(A.T, H.T, Q, R)
-    matrix = np.block([[A.T, -H.T @ np.linalg.solve(R, H)], [-Q, -A]])
-    _, basis, stable = scipy.linalg.schur(matrix, sort="lhp")
+    if isinstance(equation, _Discrete):
+        from scipy.linalg import solve_discrete_are
+
+        return solve_discrete_are(A.T, H.T, Q, R)
+    from scipy.linalg.lapack import dgees, dtrsen
+
     n = len(A)
-    return np.linalg.solve(basis[:n, :n].T, basis[n:, :n].T) if stable == n else None
+    matrix = _blocks(A.T, -H.T @ np.linalg.solve(R, H), -Q, -A)
+    T, _, real, _, basis, _, _ = dgees(_no_order, matrix, lwork=WORK * 2 * n)
+    if (real < 0).sum() != n:
+        return None
+    _, basis, _, _, _, _, _, failed = dtrsen(real < 0, T, basis, job="N")
+    return None if failed else np.linalg.solve(basis[:n, :n].T, basis[n:, :n].T)
 
 
 def _by_doubling(equation):
     """Return P by the doubling algorithm for X = A^T X (E + G X)^-1 A + Q, or None."""
     A, G, Q = equation.A.T, equation.H.T @ np.linalg.solve(equation.R, equation.H), equation.Q
     identity = np.eye(len(A))
-    if not equation.discrete:  # the Cayley transformation has the same solution
-        rate = np.linalg.norm(np.block([[A, G], [Q, A]]), 2)
+    if isinstance(equation, _Continuous):  # the Cayley transformation has the same solution
+        rate = np.linalg.norm(_blocks(A, G, Q, A), 2)
         back = np.linalg.inv(A - rate * identity)
         schur_inverse = np.linalg.inv((A - rate * identity).T + Q @ back @ G)
         A, G, Q = (
@@ -232,16 +373,25 @@ def _with_more_noise(equation):
 
 def _units(A, G, Q):
     """Return units of the states that balance the Hamiltonian matrix."""
-    from scipy.linalg import matrix_balance
+    from scipy.linalg.lapack import dgebal
 
     n = len(A)
-    sizes = np.abs(np.block([[A, Q], [G, A.T]]))
+    sizes = np.abs(_blocks(A, Q, G, A.T))
     np.fill_diagonal(sizes, 0)
-    scale = matrix_balance(sizes, permute=False, separate=True)[1][0]
+    scale = dgebal(sizes, scale=1)[3]
     units = _powers_of_two(np.sqrt(scale[:n] / scale[n:]))
     # A weak measurement makes a large P: both ends of its range are brought equally far from 1.
-    weights = [np.linalg.norm(M) for M in (Q / np.outer(units, units), G * np.outer(units, units))]
-    return units * (_powers_of_two((weights[0] / weights[1]) ** 0.25) if all(weights) else 1.0)
+    square = units[:, None] * units
+    noise, measurement = norm(Q / square), norm(G * square)
+    return units * (_powers_of_two((noise / measurement) ** 0.25) if noise and measurement else 1.0)
+
+
+def _blocks(A, B, C, D):
+    return np.concatenate([np.concatenate([A, B], axis=1), np.concatenate([C, D], axis=1)])
+
+
+def _no_order(real, imaginary):
+    """Leave the eigenvalues in the order of LAPACK."""
 
 
 def _powers_of_two(sizes):

@@ -67,7 +67,7 @@ class SatelliteFix:
         """
         if not self.roots:
             raise ValueError(f"roots: {self.reason}")
-        target = np.array(guess, dtype=float).reshape(-1)
+        target = read_vector(guess, "guess", 3, True)
         return min(
             self.roots,
             key=lambda x: np.linalg.norm(np.array(x.tolist(), dtype=float).reshape(-1) - target),

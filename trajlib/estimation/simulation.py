@@ -10,9 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.arrays import read_finite_array
+from trajlib._arguments.covariances import read_covariance, read_covariance_stack
 from trajlib._arguments.matrices import read_matrix, read_square, read_vector
-from trajlib._arguments.numbers import read_times
+from trajlib._arguments.numbers import read_count, read_times
+from trajlib._arguments.records import read_stack
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
@@ -96,9 +98,11 @@ def simulate_discrete(
     >>> bool(abs(drawn.states.var() - 4) < 0.1)    # the process is stationary
     True
     """
-    Phi = read_square(np.asarray(Phi, dtype=float), "Phi", True)
-    Q = read_covariance(np.asarray(Q, dtype=float), "Q", len(Phi), True)
+    Phi = read_square(Phi, "Phi", True)
+    Q = read_covariance(Q, "Q", len(Phi), True)
+    steps, paths = read_count(steps, "steps", 1), read_count(paths, "paths", 1)
     return _draw(
+        len(Phi),
         [Phi] * (steps - 1),
         [_square_root(Q)] * (steps - 1),
         start,
@@ -156,13 +160,15 @@ def simulate_continuous(
     -----
     Source: Definition 4.13.
     """
-    A = read_square(np.asarray(A, dtype=float), "A", True)
-    Q = read_covariance(np.asarray(Q, dtype=float), "Q", len(A), True)
+    A = read_square(A, "A", True)
+    Q = read_covariance(Q, "Q", len(A), True)
+    paths = read_count(paths, "paths", 1)
     times = read_times(times, repeated=None)
     steps = equal_steps(times)
     models = {step: discretise(A, Q, step) for step in np.unique(steps)}
     roots = {step: _square_root(model.Q) for step, model in models.items()}
     return _draw(
+        len(A),
         [models[step].Phi for step in steps],
         [roots[step] for step in steps],
         start,
@@ -181,9 +187,8 @@ def equal_steps(times):
     return np.round(steps / unit) * unit
 
 
-def _draw(Phis, roots, start, times, paths, seed, H, R):
+def _draw(n, Phis, roots, start, times, paths, seed, H, R):
     rng = np.random.default_rng(seed)
-    n = start.covariance.shape[0]
     P = read_covariance(start.covariance, "covariance", n, True)
     states = np.empty((paths, len(times), n))
     x = read_vector(start.mean, "mean", n, True) + rng.normal(size=(paths, n)) @ _square_root(P).T
@@ -193,8 +198,8 @@ def _draw(Phis, roots, start, times, paths, seed, H, R):
             x = x @ Phis[k].T + rng.normal(size=(paths, n)) @ roots[k].T
     measurements = None
     if H is not None:
-        H = read_matrix(np.asarray(H, dtype=float), "H", None, n, True)
-        R = read_covariance(np.asarray(R, dtype=float), "R", len(H), True)
+        H = read_matrix(H, "H", None, n, True)
+        R = read_covariance(R, "R", len(H), True)
         measurements = (
             states @ H.T + rng.normal(size=(paths, len(times), len(H))) @ _square_root(R).T
         )
@@ -295,14 +300,14 @@ def covariance_consistency(
     >>> bool(covariance_consistency(2*errors, [[4]])), bool(covariance_consistency(2*errors, [[3.6]]))
     (True, False)
     """
-    errors, P = np.asarray(errors, dtype=float), np.asarray(covariance, dtype=float)
+    errors = read_finite_array(errors, "errors", "numbers, one row an error")
     errors = errors[:, None] if errors.ndim == 1 else errors
+    if errors.ndim != 2 or 0 in errors.shape:
+        raise ValueError(f"errors: expected the shape (S, n) or (S,), got {errors.shape}")
     n = errors.shape[-1]
-    if errors.ndim != 2 or P.shape not in ((n, n), (len(errors), n, n)):
-        raise ValueError(
-            f"covariance: expected {n} x {n}, or as many of these as errors, got the shape "
-            f"{P.shape}"
-        )
+    P = read_stack(covariance, "covariance", n, n, read_covariance_stack)
+    if P.ndim == 3 and len(P) != len(errors):
+        raise ValueError(f"covariance: expected {len(errors)}, one for each error, got {len(P)}")
     squares = np.einsum(
         "si,si->s",
         errors,

@@ -9,6 +9,9 @@ Backwards from the last step, where both are those of the filter,
 the last equal to P_k^+ + C_k (P_{k+1} - P_{k+1}^-) C_k^T, but a sum of covariances whatever the rounding
 of C_k. Missing measurements and steps of different lengths need nothing of their own. Where P^- is
 singular, a state being known exactly, its pseudo-inverse stands for the inverse.
+
+Long records of linear models are smoothed in `segments` by the recursion of Bryson and Frazier, which needs
+no inverse of P^-. It ends in a difference of covariances; where most digits cancel, the step above is taken.
 """
 
 from __future__ import annotations
@@ -18,11 +21,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._typing import ArrayLike
+from trajlib.estimation.filter_covariances import BLOCK
 from trajlib.estimation.filter_plots import plot_states
-from trajlib.estimation.recursion import congruence_recursion, varying_recursion
+from trajlib.estimation.segments import number_of_segments, smoothed_segments
 
 #: A scaled covariance whose inverse is greater than this is singular within rounding.
 SINGULAR = 1e13
+#: Variances that become smaller than this share lose digits in the difference of Bryson and Frazier.
+CANCELLED = 1e-4
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,42 +80,74 @@ class SmoothedRun:
 def smooth(run, times, transitions, steps):
     """Return the `SmoothedRun` of a filter's run.
 
-    `transitions` are Phi and Q, each one matrix or one for each step, and `steps` the covariances
-    P^+ to which `run.matrix_index` refers.
+    `transitions` are Phi, Q and H, each one matrix or one for each step (H is None if a map is not
+    linear), and `steps` the matrices of the filter to which `run.matrix_index` refers.
     """
     single = run.estimates.ndim == 2
-    predicted, estimates, index = (
-        part[None] if single else part for part in (run.predicted, run.estimates, run.matrix_index)
+    predicted, estimates, innovations, index = (
+        part[None] if single else part
+        for part in (run.predicted, run.estimates, run.innovations, run.matrix_index)
     )
     smoothed = np.array(estimates)
-    patterns, group = np.unique(index, axis=0, return_inverse=True)
+    # Series with the same matrices have the same covariances.
+    patterns: dict[bytes, list[int]] = {}
+    for i, pattern in enumerate(index):
+        patterns.setdefault(pattern.tobytes(), []).append(i)
+    group = np.empty(len(index), dtype=np.int64)
     covariances = np.empty((len(patterns), *estimates.shape[1:], estimates.shape[-1]))
-    for number, pattern in enumerate(patterns):
-        members = np.flatnonzero(group.ravel() == number)
-        gains, noises = _gains(steps, pattern[:-1], *transitions)
-        forcing = estimates[members, :-1] - np.einsum("kij,skj->ski", gains, predicted[members, 1:])
-        backwards = varying_recursion(gains[::-1], forcing[:, ::-1], estimates[members, -1])
-        smoothed[members] = backwards[:, ::-1]
-        covariances[number] = congruence_recursion(gains[::-1], noises[::-1], steps[pattern[-1]])[
-            ::-1
-        ]
+    for number, members in enumerate(patterns.values()):
+        group[members], pattern = number, index[members[0]]
+        own = predicted[members], estimates[members], innovations[members]
+        smoothed[members], covariances[number] = _smoothed(*own, transitions, steps, pattern)
     return SmoothedRun(
-        times, smoothed[0] if single else smoothed, covariances, None if single else group.ravel()
+        times, smoothed[0] if single else smoothed, covariances, None if single else group
     )
 
 
-def _gains(steps, index, Phi, Q):
+def _smoothed(predicted, estimates, innovations, transitions, steps, index):
+    Phi, Q, H = transitions
+    (count, n), states = estimates.shape[1:], estimates.copy()
+    distinct = len(np.unique(index)) == count
+    rows = slice(index[0], index[-1] + 1) if distinct else index
+    after, gains, inverses = (steps[i][rows] for i in (1, 2, 4))
+    segments = 1 if H is None else number_of_segments(count, n)
+    if segments == 1:
+        covariances, left = after.copy(), np.arange(count - 1)
+    else:
+        head, covariances = count % segments, np.empty_like(after)
+        matrices = [M if M.ndim == 2 else M[head:] for M in (Phi, H)]
+        states[:, head:], covariances[head:] = smoothed_segments(
+            *matrices,
+            gains[head:],
+            inverses[head:],
+            np.nan_to_num(innovations[:, head:]),
+            after[head:],
+            estimates[:, head:],
+            segments,
+        )
+        variances, filtered = (np.einsum("kii->ki", P) for P in (covariances, after))
+        lost = ~(variances[:-1] >= CANCELLED * filtered[:-1]).all(axis=1)
+        left = np.flatnonzero(lost | (np.arange(count - 1) < head))
+    matrices = [M if M.ndim == 2 else M[left] for M in (Phi, Q)]
+    for k, C, noise in zip(left[::-1], *(M[::-1] for M in _gains(after[left], *matrices))):
+        P = C @ covariances[k + 1] @ C.T + noise
+        covariances[k] = (P + P.T) / 2
+        states[:, k] = estimates[:, k] + (states[:, k + 1] - predicted[:, k + 1]) @ C.T
+    return states, covariances
+
+
+def _gains(P, Phi, Q):
     """Return C_k and (E - C_k Phi_k) P_k^+ (E - C_k Phi_k)^T + C_k Q_k C_k^T for each step."""
-    if Phi.ndim == 2 and Q.ndim == 2:
-        # Steps with the same covariance have the same gain.
-        distinct, position = np.unique(index, return_inverse=True)
-        gains, noises = _gains_of_steps(steps[distinct], Phi, Q)
-        return gains[position], noises[position]
-    Phi, Q = (M if M.ndim == 2 else M[: len(index)] for M in (Phi, Q))
-    return _gains_of_steps(steps[index], Phi, Q)
+    gains, noises = np.empty_like(P), np.empty_like(P)
+    size = max(1, BLOCK // P.shape[-1] ** 2)
+    for first in range(0, len(P), size):
+        part = slice(first, min(first + size, len(P)))
+        matrices = (M if M.ndim == 2 else M[part] for M in (Phi, Q))
+        gains[part], noises[part] = _gains_of_block(P[part], *matrices)
+    return gains, noises
 
 
-def _gains_of_steps(P, Phi, Q):
+def _gains_of_block(P, Phi, Q):
     transported = Phi @ P
     predicted = transported @ np.swapaxes(np.broadcast_to(Phi, P.shape), 1, 2) + Q
     gains = np.swapaxes(pseudo_solve(predicted, transported), 1, 2)

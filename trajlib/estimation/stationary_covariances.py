@@ -14,7 +14,7 @@ from trajlib._arguments.matrices import any_floats, read_square
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
-from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.stability.jury import jury_conditions
 from trajlib.stability.regions import latex_condition, stability_conditions
 from trajlib.typesetting import escape_markdown
 
@@ -188,9 +188,10 @@ class _Discrete:
             limit = 1 - 100 * len(A) * np.finfo(float).eps * max(np.linalg.norm(A, 2), 1)
             reason = f"a mode does not decay, its factor has the modulus {greatest:.6g}"
             return sp.sympify(bool(greatest < limit)), reason
-        return schur_conditions(
-            A
-        ), "a mode does not decay, an eigenvalue of Phi has no modulus below 1"
+        return (
+            jury_conditions(A, sorted(A.free_symbols, key=str)).region,
+            "a mode does not decay, an eigenvalue of Phi has no modulus below 1",
+        )
 
     @staticmethod
     def operator(A):
@@ -201,26 +202,3 @@ class _Discrete:
         from scipy.linalg import solve_discrete_lyapunov
 
         return solve_discrete_lyapunov(A, Q)
-
-
-def schur_conditions(Phi):
-    """Return the condition on the symbols of Phi for all its eigenvalues to have moduli below 1.
-
-    With z = (1 + w)/(1 - w) the circle becomes the left half-plane; the polynomial in w has the
-    full degree unless z = -1 is a root.
-    """
-    z, w = sp.Dummy("z"), sp.Symbol("w")
-    if w in Phi.free_symbols:
-        w = sp.Dummy("w")
-    n = Phi.rows
-    coefficients = sp.Poly(characteristic_polynomial(Phi, z), z).all_coeffs()
-    transformed = sp.Poly(
-        sum(sp.expand(c * (1 + w) ** (n - i) * (1 - w) ** i) for i, c in enumerate(coefficients)), w
-    )
-    if transformed.degree() < n:
-        return sp.false
-    # The leading coefficient, (-1)^n chi(-1), is positive for a stable Phi, and the region asks for
-    # that.
-    return stability_conditions(
-        transformed.as_expr(), sorted(Phi.free_symbols, key=str), symbol=w
-    ).region

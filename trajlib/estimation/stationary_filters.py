@@ -25,7 +25,7 @@ from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
 from trajlib.estimation.hypotheses import failed_hypothesis
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
-from trajlib.estimation.riccati_floats import solve_riccati
+from trajlib.estimation.riccati_floats import stabilising_solution
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.rank_tests import controllability, observability
 from trajlib.typesetting import escape_markdown
@@ -141,7 +141,7 @@ def stationary_filter(
     >>> print(stationary_filter([[0, 1], [0, 0]], [[0, 1]], sp.diag(0, 1), 1).reason)
     no stationary filter: not detectable, a mode that does not decay is not measured
     """
-    return _stationary(A, H, Q, R, "A", _Continuous)
+    return _stationary(A, H, Q, R, "A", False)
 
 
 @accepts_state_space(
@@ -191,17 +191,22 @@ def discrete_stationary_filter(
     [-1 + sqrt(3), -1 + sqrt(3)],
     [-1 + sqrt(3),  1 + sqrt(3)]]), Matrix([[-5 + 3*sqrt(3), -1 + sqrt(3)]]))
     """
-    return _stationary(Phi, H, Q, R, "Phi", _Discrete)
+    return _stationary(Phi, H, Q, R, "Phi", True)
 
 
-def _stationary(A, H, Q, R, name, time):
+def _stationary(A, H, Q, R, name, discrete):
     floats = any_floats(A, H, Q, R)
     A = read_square(A, name, floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)
     Q = read_covariance(Q, "Q", n, floats)
-    R = read_noise(R, H.shape[0], floats)
-    solved = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
+    return solve_filter(A, H, Q, read_noise(R, H.shape[0], floats), discrete)
+
+
+def solve_filter(A, H, Q, R, discrete):
+    """Return the stationary filter for matrices that are read already."""
+    time = _Discrete if discrete else _Continuous
+    solved = (_floats if isinstance(A, np.ndarray) else _exact)(A, H, Q, R, time)
     if isinstance(solved, str):
         reason = f"no stationary filter: {solved}"
         return StationaryFilter(None, None, None, None, sp.false, _explain=partial(str, reason))
@@ -227,17 +232,11 @@ def _exact(A, H, Q, R, time):
 
 def _floats(A, H, Q, R, time):
     """Return the fields of a `StationaryFilter`, or why there is none."""
-    solution = solve_riccati(A, H, Q, R, time.discrete)
-    if (solution is None or solution.doubtful) and (
-        reason := failed_hypothesis(A, H, Q, time.discrete)
-    ):
-        return reason
-    if solution is None:
-        raise np.linalg.LinAlgError(
-            "not found: the Riccati equation has a stabilising solution (by the rank tests no mode is "
-            "in its way), but its entries differ by more than floats can hold, since a mode is hardly "
-            "measured, hardly controlled or hardly driven; change that, or give exact entries (SymPy)"
-        )
+    solution = stabilising_solution(
+        A, H, Q, R, time.discrete, True, partial(failed_hypothesis, A, H, Q, time.discrete)
+    )
+    if isinstance(solution, str):
+        return solution
     P, gain, loop = solution.P, solution.gain, solution.loop
     corrected = _joseph(P, gain, H, R) if time.discrete else None
     return P, corrected, gain, loop, sp.true, solution.residual, solution.error

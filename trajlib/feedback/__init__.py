@@ -25,6 +25,7 @@ _EXPORTS = {
     ],
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
+    "margins": ["LoopMargins", "loop_function", "loop_margins"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
     "discrete_cost": ["discrete_finite_lqr", "discrete_lqr"],
     "fixed_ends": ["FixedEndsControl", "StateAndControl", "fixed_ends_lqr"],

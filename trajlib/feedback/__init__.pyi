@@ -11,6 +11,9 @@ from trajlib.feedback.gain_regions import stabilising_gains as stabilising_gains
 from trajlib.feedback.gains import GainFamily as GainFamily
 from trajlib.feedback.gains import observer as observer
 from trajlib.feedback.gains import regulator as regulator
+from trajlib.feedback.margins import LoopMargins as LoopMargins
+from trajlib.feedback.margins import loop_function as loop_function
+from trajlib.feedback.margins import loop_margins as loop_margins
 from trajlib.feedback.pole_placement import Placement as Placement
 from trajlib.feedback.pole_placement import place as place
 from trajlib.feedback.quadratic_cost import QuadraticRegulator as QuadraticRegulator

@@ -19,8 +19,9 @@ from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import MatrixLike
 from trajlib.estimation.exact_or_float import solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
-from trajlib.estimation.stationary_filters import discrete_stationary_filter
+from trajlib.estimation.stationary_filters import solve_filter
 from trajlib.feedback.indefinite_cost import solve_indefinite, why_no_law
+from trajlib.feedback.keywords import reads_weights
 from trajlib.feedback.quadratic_cost import (
     QuadraticRegulator,
     read_regulator,
@@ -39,6 +40,7 @@ _DUAL = {
 }
 
 
+@reads_weights
 @accepts_state_space("A", "B", time="discrete", instead="use lqr", Q="G", R="N")
 def discrete_lqr(
     A: MatrixLike,
@@ -82,7 +84,7 @@ def discrete_lqr(
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`; what it calls `N` is `cross` here.
+    Keywords of python-control: `Q`, `R` for `G`, `N`, and with `R` its `N` for `cross`.
     The sign is u = Kx. MATLAB: ``-dlqr(A, B, G, N, C)``; python-control: ``-dlqr(A, B, G, N, C)[0]``. Source:
     added to the problem book; dual to Theorem 4.2.
 
@@ -103,7 +105,7 @@ def discrete_lqr(
     A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
     if not is_semidefinite(G):
         return QuadraticRegulator(*solve_indefinite(A, B, G, N, True))
-    filter = discrete_stationary_filter(A.T, B.T, G, N)
+    filter = solve_filter(A.T, B.T, G, N, True)
     if not filter:
         reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, True)]}"
         return QuadraticRegulator(None, None, None, sp.false, reason)
@@ -119,6 +121,7 @@ def discrete_lqr(
     )
 
 
+@reads_weights
 @accepts_state_space("A", "B", time="discrete", instead="use finite_lqr", Q="G", R="N")
 def discrete_finite_lqr(
     A: MatrixLike,
@@ -165,7 +168,7 @@ def discrete_finite_lqr(
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`.
+    Keywords of python-control: `Q`, `R` for `G`, `N`, and with `R` its `N` for `cross`.
     The sign is u = Kx. Source: added to the problem book; R. E. Bellman's dynamic programming.
 
     Examples

@@ -14,11 +14,13 @@ from trajlib._arguments.matrices import (
     read_observed,
     require_exact,
 )
+from trajlib._arguments.renamed import renamed
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, MatrixLike, Symbols
 from trajlib.stability.regions import StabilityConditions, stability_conditions
 
 
+@renamed(margin="degree")
 @accepts_state_space("A", "B", C="H")
 def stabilising_gains(
     A: MatrixLike,
@@ -26,7 +28,7 @@ def stabilising_gains(
     K: MatrixLike,
     H: MatrixLike | None = None,
     parameters: Symbols | None = None,
-    margin: ExprLike = 0,
+    degree: ExprLike = 0,
 ) -> StabilityConditions:
     """Return the values of the symbols in K for which u = Kx, or u = Kz, stabilises the system.
 
@@ -42,7 +44,7 @@ def stabilising_gains(
         Matrix of the output, for the static feedback u = Kz, z = Hx.
     parameters : sequence of sympy.Symbol, optional
         All symbols of the system, by default those of K.
-    margin : float or sympy.Expr, default 0
+    degree : float or sympy.Expr, default 0
         mu >= 0, for Re lambda < -mu.
 
     Returns
@@ -64,11 +66,11 @@ def stabilising_gains(
     --------
     >>> import sympy as sp
     >>> k1, k2 = sp.symbols("k1 k2")
-    >>> A, B = sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1])
+    >>> A, B = sp.Matrix([[0, 1], [7, 5]]), sp.Matrix([0, 1])
     >>> stabilising_gains(A, B, [k1, k2]).region
-    (k1 < -1) & (k2 < 0)
+    (k1 < -7) & (k2 < -5)
     >>> stabilising_gains(A, B, [k1], H=sp.Matrix([[1, 1]])).region
-    k1 < -1
+    k1 < -7
     """
     require_exact("use place, which gives one gain (trajlib.feedback)", A=A, B=B, H=H)
     A, B = (matrix.T for matrix in read_controlled(A, B))
@@ -76,16 +78,17 @@ def stabilising_gains(
     measured = sp.eye(A.rows) if H is None else read_observed(A, H)[1]
     if K.shape != (B.cols, measured.rows):
         raise ValueError(f"K: expected shape {(B.cols, measured.rows)}, got {K.shape}")
-    return stability_conditions(A + B * K * measured, _named(K, parameters), margin=margin)
+    return stability_conditions(A + B * K * measured, _named(K, parameters), degree=degree)
 
 
+@renamed(margin="degree")
 @accepts_state_space("A", "H", C="H")
 def convergent_gains(
     A: MatrixLike,
     H: MatrixLike,
     L: MatrixLike,
     parameters: Symbols | None = None,
-    margin: ExprLike = 0,
+    degree: ExprLike = 0,
 ) -> StabilityConditions:
     """Return the values of the symbols in L for which the errors of the observer, A - LH, decay.
 
@@ -99,7 +102,7 @@ def convergent_gains(
         The gain, of symbols and expressions.
     parameters : sequence of sympy.Symbol, optional
         All symbols of the system, by default those of L.
-    margin : float or sympy.Expr, default 0
+    degree : float or sympy.Expr, default 0
         mu >= 0, for Re lambda < -mu.
 
     Returns
@@ -133,7 +136,7 @@ def convergent_gains(
     L = read_exact_matrix(L, "L", flat="column")
     if L.shape != (A.rows, H.rows):
         raise ValueError(f"L: expected shape {(A.rows, H.rows)}, got {L.shape}")
-    return stability_conditions(A - L * H, _named(L, parameters), margin=margin)
+    return stability_conditions(A - L * H, _named(L, parameters), degree=degree)
 
 
 def _named(gain, parameters):

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed, require_exact
+from trajlib._arguments.renamed import renamed
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ExprLike, MatrixLike
@@ -67,6 +68,7 @@ class GainFamily:
         return rf"$\displaystyle {sp.latex(self.gain, symbol_names=upright)}:\quad {sp.latex(polynomial)}$"
 
 
+@renamed(margin="degree")
 @accepts_state_space("A", "H", C="H")
 def observer(
     A: MatrixLike,
@@ -75,11 +77,11 @@ def observer(
     symbol: sp.Symbol | None = None,
     *,
     eigenvalues: Sequence[ExprLike] | None = None,
-    margin: ExprLike | None = None,
+    degree: ExprLike | None = None,
 ) -> GainFamily:
     """Return all gains L for which A - LH has a prescribed spectrum.
 
-    One of `polynomial`, `eigenvalues` and `margin` prescribes it.
+    One of `polynomial`, `eigenvalues` and `degree` prescribes it.
 
     Parameters
     ----------
@@ -94,7 +96,7 @@ def observer(
         Variable of `polynomial`; may be left out if it is its only symbol.
     eigenvalues : sequence of number, optional
         As many numbers as the degree of `polynomial` would be, conjugate ones in pairs.
-    margin : float or sympy.Expr, optional
+    degree : float or sympy.Expr, optional
         mu: every eigenvalue that is not fixed goes to -mu.
 
     Returns
@@ -105,7 +107,7 @@ def observer(
     Raises
     ------
     ValueError
-        If a fixed eigenvalue is not a root of the polynomial or is slower than the margin (the message
+        If a fixed eigenvalue is not a root of the polynomial or is slower than the degree of stability (the message
         names the mode), if not exactly one prescription is given, if shapes do not fit, or for floats.
 
     Notes
@@ -120,7 +122,7 @@ def observer(
     >>> s, b1, b2 = sp.symbols("s beta1 beta2")
     >>> observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 0]]), s**2 + b1*s + b2, s).gain.T
     Matrix([[beta1, beta2 + 1]])
-    >>> hidden = observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), margin=1)
+    >>> hidden = observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), degree=1)
     >>> hidden.gain.T, hidden.fixed
     (Matrix([[2 - free1, free1]]), lambda + 1)
     """
@@ -128,9 +130,10 @@ def observer(
         "use place: L = -place(A.T, H.T, eigenvalues).gain.T (trajlib.feedback)", A=A, H=H
     )
     A, H = read_observed(A, H)
-    return _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), detectability, "N")
+    return _family(A, H, _Prescription(polynomial, symbol, eigenvalues, degree), detectability, "N")
 
 
+@renamed(margin="degree")
 @accepts_state_space("A", "B")
 def regulator(
     A: MatrixLike,
@@ -139,11 +142,11 @@ def regulator(
     symbol: sp.Symbol | None = None,
     *,
     eigenvalues: Sequence[ExprLike] | None = None,
-    margin: ExprLike | None = None,
+    degree: ExprLike | None = None,
 ) -> GainFamily:
     """Return all gains K for which A + BK has a prescribed spectrum.
 
-    One of `polynomial`, `eigenvalues` and `margin` prescribes it.
+    One of `polynomial`, `eigenvalues` and `degree` prescribes it.
 
     Parameters
     ----------
@@ -157,7 +160,7 @@ def regulator(
         Variable of `polynomial`; may be left out if it is its only symbol.
     eigenvalues : sequence of number, optional
         As many numbers as the degree of `polynomial` would be, conjugate ones in pairs.
-    margin : float or sympy.Expr, optional
+    degree : float or sympy.Expr, optional
         mu: every eigenvalue that is not fixed goes to -mu.
 
     Returns
@@ -188,7 +191,7 @@ def regulator(
     require_exact("use place: K = place(A, B, eigenvalues).gain (trajlib.feedback)", A=A, B=B)
     A, H = read_controlled(A, B)
     family = _family(
-        A, H, _Prescription(polynomial, symbol, eigenvalues, margin), _transposed_test, "W"
+        A, H, _Prescription(polynomial, symbol, eigenvalues, degree), _transposed_test, "W"
     )
     gain = (-family.gain.T).subs({symbol: -symbol for symbol in family.free}, simultaneous=True)
     return GainFamily(
@@ -279,14 +282,14 @@ def _heymann(F, G):
 
 
 class _Prescription:
-    """The prescribed spectrum: a polynomial, eigenvalues or a margin."""
+    """The prescribed spectrum: a polynomial, eigenvalues or a degree of stability."""
 
-    def __init__(self, polynomial, symbol, eigenvalues, margin):
-        if sum(part is not None for part in (polynomial, eigenvalues, margin)) != 1:
-            raise ValueError("polynomial, eigenvalues, margin: expected one of the three")
+    def __init__(self, polynomial, symbol, eigenvalues, degree):
+        if sum(part is not None for part in (polynomial, eigenvalues, degree)) != 1:
+            raise ValueError("polynomial, eigenvalues, degree: expected one of the three")
         self.symbol = read_symbols(symbol, "symbol")[0] if symbol is not None else None
         self.eigenvalues = eigenvalues
-        self.margin = None if margin is None else exact_decimals(read_expression(margin, "margin"))
+        self.degree = None if degree is None else exact_decimals(read_expression(degree, "degree"))
         if isinstance(polynomial, sp.Poly):
             self.symbol, polynomial = polynomial.gen, polynomial.as_expr()
         self.polynomial = (
@@ -299,13 +302,13 @@ class _Prescription:
                 raise ValueError("symbol: say which symbol the polynomial is in")
             (self.symbol,) = self.polynomial.free_symbols
 
-    def movable(self, symbol, degree, fixed, test, kalman):
-        """Return the monic characteristic polynomial prescribed for the part of order `degree`."""
-        if self.margin is not None:
+    def movable(self, symbol, count, fixed, test, kalman):
+        """Return the monic characteristic polynomial prescribed for the part of order `count`."""
+        if self.degree is not None:
             fixed_spectrum = test()
-            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.margin < self.margin) is sp.true:
-                raise ValueError(f"margin: {self.margin} cannot be had; {fixed_spectrum.reason}")
-            return sp.Poly((symbol + self.margin) ** degree, symbol)
+            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.margin < self.degree) is sp.true:
+                raise ValueError(f"degree: {self.degree} cannot be had; {fixed_spectrum.reason}")
+            return sp.Poly((symbol + self.degree) ** count, symbol)
         if self.eigenvalues is not None:
             prescribed = sp.Poly(
                 sp.expand(
@@ -317,19 +320,19 @@ class _Prescription:
                 raise ValueError("eigenvalues: expected conjugate ones in pairs")
         else:
             prescribed = sp.Poly(self.polynomial, symbol)
-        order = degree + sp.degree(fixed, symbol)
-        if prescribed.degree() not in (degree, order):
+        order = count + sp.degree(fixed, symbol)
+        if prescribed.degree() not in (count, order):
             raise ValueError(
                 f"polynomial: expected the degree {order}"
                 + (
-                    f", or {degree} (the rank of {kalman}) for what is not fixed"
-                    if degree < order
+                    f", or {count} (the rank of {kalman}) for what is not fixed"
+                    if count < order
                     else ""
                 )
                 + f", got {prescribed.degree()}"
             )
         prescribed = prescribed.monic()
-        if prescribed.degree() == degree:
+        if prescribed.degree() == count:
             return prescribed
         quotient, remainder = sp.div(prescribed, sp.Poly(fixed, symbol))
         if any(sp.simplify(c) != 0 for c in remainder.all_coeffs()):

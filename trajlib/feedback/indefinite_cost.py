@@ -30,10 +30,10 @@ from trajlib.estimation.continuous_filter import (
 from trajlib.estimation.exact_or_float import identity_like, solve
 from trajlib.estimation.hypotheses import failed_hypothesis
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
-from trajlib.estimation.riccati_floats import solve_riccati
+from trajlib.estimation.riccati_floats import stabilising_solution
 from trajlib.stability.inequalities import positive
 
-#: By so much of the size of its terms Pi has to be negative in floats.
+#: By so much of the size of its terms, and more where it is ill-conditioned, Pi has to be negative in floats.
 NEGATIVE = 1e-9
 #: How close to the final time, as a share of it, floats do not tell whether S escapes before it.
 CLOSE = 1e-9
@@ -45,18 +45,18 @@ FINEST, MOST = 40, 100_000
 
 def solve_indefinite(A, B, G, N, discrete):
     """Return S, K, A + BK, `where`, the reason, residual and error; S is None if there is no law."""
+    verdict = functools.partial(_verdict, A, B, G, N, discrete)
     if isinstance(A, np.ndarray):
-        solution = solve_riccati(A.T, B.T, G, N, discrete)
-        if solution is not None:
-            gain = -solution.gain.T @ A if discrete else -solution.gain.T
-            parts = solution.P, gain, solution.loop.T, sp.true
-            return *parts, _FOUND, solution.residual, solution.error
+        found = stabilising_solution(A.T, B.T, G, N, discrete, False, verdict)
+        if not isinstance(found, str):
+            gain = -found.gain.T @ A if discrete else -found.gain.T
+            return found.P, gain, found.loop.T, sp.true, _FOUND, found.residual, found.error
     else:
         exact = _exact(A, B, G, N, discrete)
         if exact is not None:
             return *exact, _FOUND, None, None
-    reason = f"no stabilising law of least cost: {_verdict(A, B, G, N, discrete)}"
-    return None, None, None, sp.false, reason
+        found = verdict()
+    return None, None, None, sp.false, f"no stabilising law of least cost: {found}"
 
 
 _FOUND = "the stabilising law of least cost; the weights are indefinite"
@@ -128,18 +128,20 @@ def _frequency_of_gain(A, B, G, N, discrete):
     Between two eigenvalues on the axis or the circle Pi does not change its signs.
     """
     a, b, g, n = (np.array(M.tolist(), dtype=float) for M in (A, B, G, N))
-    ends = np.unique(np.abs(_critical_frequencies(a, b, g, n, discrete)).round(12))
-    last = [np.pi] if discrete else []
-    candidates = np.unique([0.0, *ends, *(ends[1:] + ends[:-1]) / 2, *(ends[:1] / 2), *last])
-    for frequency in candidates:
+    last = [np.pi] if discrete else []  # in continuous time Pi tends to N > 0
+    ends = np.unique([0.0, *np.abs(_critical_frequencies(a, b, g, n, discrete)), *last])
+    # At the eigenvalues themselves Pi is singular, so they are asked last.
+    for frequency in (0.0, *last, *(ends[1:] + ends[:-1]) / 2, *ends):
         value = _popov(a, b, g, n, np.exp(1j * frequency) if discrete else 1j * frequency)
         if value is None:
             continue
-        least, vector, size = value
-        if least < -NEGATIVE * size and (
-            isinstance(A, np.ndarray)
-            or _proved(A, B, G, N, _exact_point(frequency, discrete), vector)
-        ):
+        least, vector, doubt = value
+        negative = (
+            least < -doubt
+            if isinstance(A, np.ndarray)
+            else least < doubt and _proved(A, B, G, N, _exact_point(frequency, discrete), vector)
+        )
+        if negative:
             return f"{frequency:.6g}" + " radians a step" * discrete
     return None
 
@@ -159,23 +161,29 @@ def _critical_frequencies(a, b, g, n, discrete):
 
 
 def _popov(a, b, g, n, z):
-    """Return the least eigenvalue of Pi, its vector, and the size of the terms of Pi."""
+    """Return the least eigenvalue of Pi, its vector, and how far rounding may have moved it.
+
+    Near an eigenvalue of A on the axis or the circle the response has no correct digit.
+    """
+    pencil = z * np.eye(len(a)) - a
     try:
-        response = np.linalg.solve(z * np.eye(len(a)) - a, b)
+        response = np.linalg.solve(pencil, b)
     except np.linalg.LinAlgError:
         return None
     gained = response.conj().T @ g @ response
     values, vectors = np.linalg.eigh(n + gained)
-    return values[0], vectors[:, 0], np.linalg.norm(n) + np.linalg.norm(gained)
+    share = NEGATIVE + 10 * np.finfo(float).eps * np.linalg.cond(pencil)
+    terms = np.linalg.norm(n) + np.linalg.norm(g) * np.linalg.norm(response) ** 2
+    return values[0], vectors[:, 0], share * terms
 
 
 def _exact_point(frequency, discrete):
     """Return a rational point of the axis, or of the circle, near that of a frequency."""
     if not discrete:
-        return sp.I * sp.Rational(f"{frequency:.6g}")
+        return sp.I * sp.Rational(float(frequency))
     if np.pi - frequency < 1e-6:
         return sp.Integer(-1)
-    t = sp.Rational(f"{np.tan(frequency / 2):.6g}")
+    t = sp.Rational(float(np.tan(frequency / 2)))
     return (1 - t**2 + 2 * sp.I * t) / (1 + t**2)
 
 
@@ -189,7 +197,7 @@ def _proved(A, B, G, N, z, vector):
     except (ValueError, ZeroDivisionError):
         return False
     value = sp.expand((v.H * N * v + response.H * G * response)[0])
-    return bool(sp.re(sp.N(sp.radsimp(value), 30)) < 0)
+    return sign_of_number(sp.re(sp.radsimp(value))) < 0
 
 
 def why_no_law(spread, steps):

@@ -166,8 +166,11 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
 
 def _read(eigenvalues, n):
     prescribed = np.array([complex(value) for value in eigenvalues])
-    if len(prescribed) != n or not np.isfinite(prescribed).all():
-        raise ValueError(f"eigenvalues: expected {n} finite numbers, got {len(prescribed)}")
+    if len(prescribed) != n:
+        raise ValueError(f"eigenvalues: expected {n} numbers, got {len(prescribed)}")
+    if not np.isfinite(prescribed).all():
+        wrong = prescribed[~np.isfinite(prescribed)][0]
+        raise ValueError(f"eigenvalues: expected finite numbers, got {wrong:g}")
     if Counter(prescribed) != Counter(prescribed.conj()):
         raise ValueError("eigenvalues: expected conjugate ones in pairs")
     return prescribed if prescribed.imag.any() else prescribed.real

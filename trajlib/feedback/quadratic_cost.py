@@ -24,8 +24,9 @@ from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
-from trajlib.estimation.stationary_filters import stationary_filter
+from trajlib.estimation.stationary_filters import solve_filter
 from trajlib.feedback.indefinite_cost import solve_indefinite, solve_indefinite_until
+from trajlib.feedback.keywords import reads_weights
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
@@ -84,14 +85,16 @@ class QuadraticRegulator:
         return rf"$\displaystyle {shown}{where}$"
 
 
+@reads_weights
 @accepts_state_space("A", "B", time="continuous", instead="use discrete_lqr", Q="G", R="N")
 def lqr(
     A: MatrixLike,
     B: MatrixLike,
     G: MatrixLike,
     N: MatrixLike,
-    stable: bool = True,
     cross: MatrixLike | None = None,
+    *,
+    stable: bool = True,
 ) -> QuadraticRegulator:
     """Return the linear law u = Kx of least quadratic cost for all time.
 
@@ -107,14 +110,14 @@ def lqr(
         verdict is a law, or that the cost has no lower bound, with a frequency at which it falls.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
+    cross : matrix_like, shape (n, s), optional
+        Weight C of a further term 2 x^T C u of the cost.
     stable : bool, default True
         If true, the best of the laws that bring every state to zero, from the stabilising solution of
         the Riccati equation; it exists if and only if (A, B) is stabilisable and every mode on the
         imaginary axis is observable in the cost. If false, the best of all laws, also where states that
         are unobservable in the cost do not decay: the least S >= 0 that solves the equation; for
         semidefinite weights.
-    cross : matrix_like, shape (n, s), optional
-        Weight C of a further term 2 x^T C u of the cost.
 
     Returns
     -------
@@ -132,7 +135,7 @@ def lqr(
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`; what it calls `N` is `cross` here.
+    Keywords of python-control: `Q`, `R` for `G`, `N`, and with `R` its `N` for `cross`.
     The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N, C)``; python-control: ``-lqr(A, B, G, N, C)[0]``.
     Source: section 5.4 of the problem book; added are cross terms and indefinite weights.
 
@@ -147,9 +150,11 @@ def lqr(
     >>> lqr(-1, 1, -sp.Rational(3, 4), 1).cost[0], "no lower bound" in lqr(-1, 1, -2, 1).reason
     (-1/2, True)
     """
+    if not isinstance(stable, (bool, np.bool_)):
+        raise TypeError(f"stable: expected True or False, got {stable!r}")
     if cross is not None:
         A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
-        return shifted(lqr(A, B, G, N, stable), shift)
+        return shifted(lqr(A, B, G, N, stable=stable), shift)
     A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
     if not is_semidefinite(G):
         if not stable:
@@ -157,7 +162,7 @@ def lqr(
         return QuadraticRegulator(*solve_indefinite(A, B, G, N, False))
     if not stable:
         return _without_unobserved_states(A, B, G, N)
-    filter = stationary_filter(A.T, B.T, G, N)
+    filter = solve_filter(A.T, B.T, G, N, False)
     if not filter:
         reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, False)]}"
         return QuadraticRegulator(None, None, None, sp.false, reason)
@@ -173,6 +178,7 @@ def lqr(
     )
 
 
+@reads_weights
 @accepts_state_space("A", "B", time="continuous", instead="use discrete_finite_lqr", Q="G", R="N")
 def finite_lqr(
     A: MatrixLike,
@@ -221,7 +227,7 @@ def finite_lqr(
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`.
+    Keywords of python-control: `Q`, `R` for `G`, `N`, and with `R` its `N` for `cross`.
     The sign is u = Kx. Source: section 5.4 of the problem book; added are cross terms and indefinite
     weights.
 
@@ -238,8 +244,10 @@ def finite_lqr(
         return shifted(finite_lqr(A, B, G, N, F, time_to_go), shift)
     A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
     floats = isinstance(A, np.ndarray)
-    F = read_symmetric(np.asarray(F, dtype=float) if floats else F, "F", A.shape[0], floats)
+    F = read_symmetric(F, "F", A.shape[0], floats)
     time_to_go = exact_decimals(sp.sympify(time_to_go))
+    if time_to_go is sp.oo:
+        raise ValueError("time_to_go: expected a finite time, got oo; lqr is for all time")
     if (
         time_to_go.is_negative
         or time_to_go.is_real is False
@@ -263,11 +271,11 @@ def without_cross_term(A, B, G, N, cross):
 
     With u = v - N^-1 C^T x the cost is x^T (G - C N^-1 C^T) x + v^T N v, and the system A - B N^-1 C^T.
     """
+    if isinstance(cross, (bool, np.bool_)):
+        raise TypeError(f"cross: expected a matrix, got {cross}")
     floats = any_floats(A, B, G, N, cross)
     A, B, G, N = read_regulator(A, B, G, N, floats, read_symmetric)
-    flat = np.ndim(cross if isinstance(cross, sp.MatrixBase) else np.array(cross, dtype=object)) < 2
-    C = read_matrix(cross, "cross", None, None, floats)
-    C = read_matrix(C.T if flat and A.shape[0] > 1 else C, "cross", A.shape[0], B.shape[1], floats)
+    C = read_matrix(cross, "cross", *B.shape, floats, flat="column" if B.shape[0] > 1 else "row")
     shift = solve(N, C.T)
     return tidy(A - B @ shift), B, symmetric(G - C @ shift), N, shift
 
@@ -282,9 +290,7 @@ def read_regulator(A, B, G, N, floats=None, weight=read_covariance):
     floats = any_floats(A, B, G, N) if floats is None else floats
     A = read_square(A, "A", floats)
     n = A.shape[0]
-    flat = np.ndim(B if isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
-    B = read_matrix(B, "B", None, None, floats)
-    B = read_matrix(B.T if flat and n > 1 else B, "B", n, None, floats)
+    B = read_matrix(B, "B", n, None, floats, flat="column" if n > 1 else "row")
     return (
         A,
         B,

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed, require_exact
+from trajlib._arguments.renamed import renamed
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, MatrixLike
 from trajlib.feedback.gains import GainFamily, observer
@@ -50,6 +51,7 @@ class ReducedObserver:
     family: GainFamily
 
 
+@renamed(margin="degree")
 @accepts_state_space("A", "B", "H", C="H")
 def reduced_observer(
     A: MatrixLike,
@@ -59,7 +61,7 @@ def reduced_observer(
     symbol: sp.Symbol | None = None,
     *,
     eigenvalues: Sequence[ExprLike] | None = None,
-    margin: ExprLike | None = None,
+    degree: ExprLike | None = None,
 ) -> ReducedObserver:
     """Return an observer of order n - m for m independent outputs, with a prescribed spectrum.
 
@@ -77,8 +79,8 @@ def reduced_observer(
         Variable of `polynomial`.
     eigenvalues : sequence of number, optional
         The eigenvalues, as in `observer`.
-    margin : float or sympy.Expr, optional
-        The margin, as in `observer`.
+    degree : float or sympy.Expr, optional
+        The degree of stability, as in `observer`.
 
     Returns
     -------
@@ -99,7 +101,7 @@ def reduced_observer(
     Examples
     --------
     >>> import sympy as sp
-    >>> found = reduced_observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), sp.Matrix([[1, 0]]), margin=2)
+    >>> found = reduced_observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), sp.Matrix([[1, 0]]), degree=2)
     >>> found.matrix, found.by_output, found.by_control
     (Matrix([[-2]]), Matrix([[-3]]), Matrix([[1]]))
     >>> found.state_by_p.T, found.state_by_output.T
@@ -116,7 +118,7 @@ def reduced_observer(
     back = exact.inverse(T)
     a, b = exact.product(T, A, back), exact.product(T, B)
     family = observer(
-        a[m:, m:], a[:m, m:], polynomial, symbol, eigenvalues=eigenvalues, margin=margin
+        a[m:, m:], a[:m, m:], polynomial, symbol, eigenvalues=eigenvalues, degree=degree
     )
     G = family.simplest
     matrix = exact.tidy(a[m:, m:] - G * a[:m, m:])

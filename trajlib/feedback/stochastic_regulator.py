@@ -27,14 +27,17 @@ from trajlib.estimation.stationary_filters import (
     stationary_filter,
 )
 from trajlib.feedback.discrete_cost import discrete_lqr
+from trajlib.feedback.keywords import reads_keywords
 from trajlib.feedback.quadratic_cost import QuadraticRegulator, lqr, read_regulator
+
+reads_noises = reads_keywords("QN", "RN", Q="G", R="N", QN="Q", RN="R")
 
 
 @dataclass(frozen=True)
 class StochasticRegulator:
     """The optimal feedback by a measurement with noise; false in an `if` if there is none.
 
-    As a system from z to u it is `state_space`.
+    As a system from z to u it is `controller`.
 
     Attributes
     ----------
@@ -42,8 +45,10 @@ class StochasticRegulator:
         The regulator for a known state, with the gain K.
     filter : StationaryFilter
         The filter without control, with the gain L and the covariance P of x - e (separation theorem).
-    controller : matrix, shape (n, n)
-        Matrix of the controller's states: A + BK - LH, in discrete time (A + BK)(E - LH).
+    matrices : tuple of matrix
+        (F, M, K, D) of the controller e' = F e + M z, u = K e + D z, exact where the rest is: F = A + BK - LH,
+        M = L and D = 0, in discrete time (A + BK)(E - LH), (A + BK) L, K (E - LH) and K L. Empty if there
+        is no feedback.
     cost : sympy.Expr or float
         lim E[x^T G x + u^T N u]; None if there is no feedback.
     cost_of_known_state : sympy.Expr or float
@@ -52,17 +57,16 @@ class StochasticRegulator:
 
     regulator: QuadraticRegulator
     filter: StationaryFilter
-    controller: Matrix
+    matrices: tuple[Matrix, ...]
     cost: sp.Expr | float | None
     cost_of_known_state: sp.Expr | float | None
-    _matrices: tuple = field(default=(), repr=False)
     _dt: bool = field(default=False, repr=False)
 
     def __bool__(self):
         return self.cost is not None
 
     @property
-    def state_space(self):
+    def controller(self):
         """The controller from z to u as python-control's StateSpace, in floats.
 
         Raises
@@ -72,22 +76,22 @@ class StochasticRegulator:
 
         Notes
         -----
-        The loop is closed by `control.feedback(plant, controller, sign=1)`. In discrete time the
-        controller has dt = True and takes the step of the plant.
+        Its output is u = +K e, so the loop is closed by `control.feedback(plant, controller, sign=1)`.
+        For python-control's default sign = -1, and to compare with the controllers of other tools, take
+        `-controller`. In discrete time it has dt = True and takes the step of the plant.
         """
         import control
 
         if not self:
             reasons = [part.reason for part in (self.regulator, self.filter) if not part]
             raise ValueError(f"there is no feedback: {'; '.join(reasons)}")
-        if any(isinstance(M, sp.MatrixBase) and M.free_symbols for M in self._matrices):
+        if any(isinstance(M, sp.MatrixBase) and M.free_symbols for M in self.matrices):
             raise ValueError("a StateSpace holds floats; substitute numbers for the symbols first")
-        return control.ss(*(np.array(M.tolist(), dtype=float) for M in self._matrices), self._dt)
+        return control.ss(*(np.array(M.tolist(), dtype=float) for M in self.matrices), self._dt)
 
 
-@accepts_state_space(
-    "A", "B", "H", time="continuous", instead="use discrete_lqg", C="H", QN="Q", RN="R"
-)
+@reads_noises
+@accepts_state_space("A", "B", "H", time="continuous", instead="use discrete_lqg", C="H")
 def lqg(
     A: MatrixLike,
     B: MatrixLike,
@@ -131,8 +135,8 @@ def lqg(
 
     Notes
     -----
-    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`; its weights `Q`, `R` are `G`, `N`
-    here, since `Q` and `R` are the intensities.
+    Keywords of python-control: `C` for `H`; `QN`, `RN` for `Q`, `R`, and beside them its `Q`, `R` for
+    `G`, `N`: `lqg(sys, Q=, R=, QN=, RN=)`. Without `QN` and `RN` the letters are those here.
     MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
 
     Examples
@@ -140,19 +144,20 @@ def lqg(
     >>> feedback = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
     >>> feedback.regulator.gain, feedback.filter.gain.T, feedback.cost
     (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
-    >>> feedback.state_space.A.tolist()
+    >>> feedback.controller.A.tolist()
     [[0.0, 1.0], [-1.0, -3.0]]
     """
     A, B, H, G, N, Q, R = _read(A, B, H, G, N, Q, R)
     regulator, filter = lqr(A, B, G, N), stationary_filter(A, H, Q, R)
     if not (regulator and filter):
-        return StochasticRegulator(regulator, filter, None, None, None)
+        return StochasticRegulator(regulator, filter, (), None, None)
     K, L, P = regulator.gain, filter.gain, filter.covariance
-    controller = tidy(regulator.loop - L @ H)
-    return _joined(regulator, filter, Q, P @ K.T @ N @ K, (controller, L, K, 0 * K @ L), False)
+    matrices = (tidy(regulator.loop - L @ H), L, K, 0 * K @ L)
+    return _joined(regulator, filter, Q, P @ K.T @ N @ K, matrices, False)
 
 
-@accepts_state_space("A", "B", "H", time="discrete", instead="use lqg", C="H", QN="Q", RN="R")
+@reads_noises
+@accepts_state_space("A", "B", "H", time="discrete", instead="use lqg", C="H")
 def discrete_lqg(
     A: MatrixLike,
     B: MatrixLike,
@@ -196,8 +201,8 @@ def discrete_lqg(
 
     Notes
     -----
-    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`; its weights `Q`, `R` are `G`, `N`
-    here. MATLAB: ``lqg`` with the option "current". Source: added to the problem book; section 5.4
+    Keywords of python-control: `C` for `H`; `QN`, `RN` for `Q`, `R`, and beside them its `Q`, `R` for
+    `G`, `N`. MATLAB: ``lqg`` with the option "current". Source: added to the problem book; section 5.4
     in discrete time, with Theorem 4.2.
 
     Examples
@@ -209,7 +214,7 @@ def discrete_lqg(
     A, B, H, G, N, Q, R = _read(A, B, H, G, N, Q, R)
     regulator, filter = discrete_lqr(A, B, G, N), discrete_stationary_filter(A, H, Q, R)
     if not (regulator and filter):
-        return StochasticRegulator(regulator, filter, None, None, None)
+        return StochasticRegulator(regulator, filter, (), None, None)
     K, L, S = regulator.gain, filter.gain, regulator.cost
     reduction, advanced = identity_like(A) - L @ H, regulator.loop
     matrices = tuple(tidy(M) for M in (advanced @ reduction, advanced @ L, K @ reduction, K @ L))
@@ -230,7 +235,7 @@ def _joined(regulator, filter, Q, estimation_cost, matrices, dt):
     """Return the feedback whose estimation errors cost the trace of `estimation_cost`."""
     control_cost, further_cost = _trace(regulator.cost @ Q), _trace(estimation_cost)
     return StochasticRegulator(
-        regulator, filter, matrices[0], control_cost + further_cost, control_cost, matrices, dt
+        regulator, filter, matrices, control_cost + further_cost, control_cost, dt
     )
 
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_finite_array
 from trajlib._arguments.numbers import read_number, read_points, read_positive
 from trajlib._typing import ArrayLike
 from trajlib.infosets.turning import angle_between, cosine_parts
@@ -73,7 +74,7 @@ class DubinsReachable:
         ndarray
             Of the shape of `directions`.
         """
-        phi = np.asarray(directions, dtype=float)
+        phi = read_finite_array(directions, "directions", "angles as numbers")
         plus, minus = cosine_parts(angle_between(phi - self.heading), self.k / self.speed, self.t)
         x, y = self.position
         return x * np.sin(phi) + y * np.cos(phi) + self.speed * (plus - minus)

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_points
 from trajlib._typing import ArrayLike
 
@@ -72,7 +73,7 @@ class SupportPolygons:
     """
 
     def __init__(self, values: np.ndarray) -> None:
-        values = np.array(values, dtype=float)
+        values = read_array(values, "values", "numbers")
         if values.ndim == 0 or values.shape[-1] < 3:
             raise ValueError(
                 "values: expected shape (..., m) with m = 3 or more normals, got shape "
@@ -99,7 +100,7 @@ class SupportPolygons:
         SupportPolygons
         """
         polygons = cls.__new__(cls)
-        polygons.values = np.asarray(values, dtype=float)
+        polygons.values = read_array(values, "values", "numbers")
         return polygons
 
     @classmethod
@@ -244,7 +245,9 @@ class SupportPolygons:
 
     def _values_of(self, other):
         values = (
-            other.values if isinstance(other, SupportPolygons) else np.asarray(other, dtype=float)
+            other.values
+            if isinstance(other, SupportPolygons)
+            else read_array(other, "other", "polygons or their values")
         )
         if values.shape[-1:] != (self.m,):
             raise ValueError(

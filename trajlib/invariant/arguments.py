@@ -5,6 +5,7 @@ from numbers import Real
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_seconds
 from trajlib._numerical_rank import zero_level
 
@@ -61,7 +62,7 @@ def sample_functions(functions, times, name):
 
 def read_samples(h, size):
     """Return finite samples, shape (N,) or (N, records)."""
-    h = np.asarray(h, dtype=float)
+    h = read_array(h, "h", "samples as numbers")
     if h.ndim not in (1, 2) or h.shape[0] != size:
         raise ValueError(
             f"h: expected {size} samples, one a time, or ({size}, records), got shape {h.shape}"
@@ -76,7 +77,7 @@ def read_samples(h, size):
 
 def read_covariance(covariance, size):
     """Return N variances or a positive definite matrix (N, N)."""
-    K = np.asarray(covariance, dtype=float)
+    K = read_array(covariance, "covariance", "variances as numbers")
     if K.shape not in ((), (size,), (size, size)):
         raise ValueError(
             f"covariance: expected a variance, {size} variances or a matrix ({size}, {size}), got "

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
 from trajlib.plotting.appearance import (
     BLACK,
@@ -126,7 +127,10 @@ def estimate(
     -------
     matplotlib.axes.Axes
     """
-    times, mean, deviation = (np.asarray(part, dtype=float) for part in (times, mean, deviation))
+    times, mean, deviation = (
+        read_array(part, name, "numbers")
+        for name, part in (("times", times), ("mean", mean), ("deviation", deviation))
+    )
     if not times.shape == mean.shape == deviation.shape:
         raise ValueError(
             f"deviation: expected three arrays of one shape, got {times.shape}, {mean.shape}, "

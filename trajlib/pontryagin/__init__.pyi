@@ -1,4 +1,5 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.pontryagin.direct.process import DirectProcess as DirectProcess
 from trajlib.pontryagin.functionals import control_problem as control_problem
 from trajlib.pontryagin.functionals import end_conditions as end_conditions
 from trajlib.pontryagin.functionals import euler_equation as euler_equation
@@ -7,6 +8,8 @@ from trajlib.pontryagin.functionals import momenta as momenta
 from trajlib.pontryagin.functionals import natural_conditions as natural_conditions
 from trajlib.pontryagin.indirect.comparison import Comparison as Comparison
 from trajlib.pontryagin.indirect.comparison import compare as compare
+from trajlib.pontryagin.indirect.explanation import ExplainedStep as ExplainedStep
+from trajlib.pontryagin.indirect.explanation import Explanation as Explanation
 from trajlib.pontryagin.indirect.extremal import Extremal as Extremal
 from trajlib.pontryagin.optimal_control import Problem as Problem
 from trajlib.pontryagin.planar_synthesis.construction import synthesis as synthesis
@@ -21,6 +24,8 @@ from trajlib.pontryagin.problem.errors import PontryaginError as PontryaginError
 from trajlib.pontryagin.problem.errors import StartOnTarget as StartOnTarget
 from trajlib.pontryagin.problem.errors import Unbounded as Unbounded
 from trajlib.pontryagin.problem.errors import WrongStructure as WrongStructure
+from trajlib.pontryagin.problem.log import Log as Log
+from trajlib.pontryagin.problem.log import LogEntry as LogEntry
 from trajlib.pontryagin.problem.state_constraints import StateConstraint as StateConstraint
 from trajlib.pontryagin.verification.ball_arithmetic import Enclosure as Enclosure
 from trajlib.pontryagin.verification.certificate import Certificate as Certificate

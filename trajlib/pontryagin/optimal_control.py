@@ -8,6 +8,10 @@ from trajlib.pontryagin.problem.presentation import problem_markdown
 from trajlib.pontryagin.problem.statement import Statement
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from trajlib.pontryagin.direct.process import DirectProcess
+    from trajlib.pontryagin.indirect.explanation import Explanation
     from trajlib.pontryagin.indirect.extremal import Extremal
 
 
@@ -40,7 +44,8 @@ class Problem(Statement):
         exactly one terminal equation.
     path : list of sympy inequalities, optional
         Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1], and bounds of a
-        control such as u <= x/4.
+        control such as u <= x/4. A constraint that holds at all times if it holds at the end, as on
+        a parameter k' = 0, becomes a terminal inequality.
     terminal_inequalities : list of sympy inequalities, optional
         Those at the final time; inequalities among `terminal` are added to them.
 
@@ -93,12 +98,39 @@ class Problem(Statement):
         """
         return conditions(self)
 
+    def explain(self) -> "Explanation":
+        """Return which steps `solve` takes for the problem, in which order, and why.
+
+        Returns
+        -------
+        Explanation
+            Reformulations, refusals and methods, each with the hypotheses that hold or the first
+            one that does not. Shows itself as text and in a notebook. Nothing is solved.
+
+        Raises
+        ------
+        ValueError
+            If a parameter has no value.
+
+        Examples
+        --------
+        >>> import sympy as sp
+        >>> x, u = sp.symbols("x u")
+        >>> frugal = Problem({x: u}, {u: (-1, 1)}, {x: 0}, {x: 1}, running=sp.Abs(u), duration=2)
+        >>> print(frugal.explain().applied[0].detail)
+        u = max(u, 0) - max(-u, 0)
+        """
+        from trajlib.pontryagin.indirect.explanation import explain
+
+        return explain(self)
+
     def solve(
         self,
         structure: Sequence | None = None,
-        guess: "Extremal | dict | None" = None,
+        guess: "Extremal | DirectProcess | dict | None" = None,
         starts: int | None = None,
         time_limit: float | None = None,
+        progress: bool | None = None,
     ) -> "Extremal":
         """Find an extremal of the problem with its arcs and switching times.
 
@@ -107,13 +139,15 @@ class Problem(Statement):
         structure : list, optional
             The arcs in order, "u-", "u+", "interior", "singular" or "zero" (tuples of them for
             several controls); found if left out, and not to be given with path constraints.
-        guess : Extremal or dict, optional
-            Where the search begins: an extremal of a similar problem, or values for "duration",
+        guess : Extremal, DirectProcess or dict, optional
+            Where the search begins: an extremal of a similar problem, a direct solution, or values for "duration",
             states and controls.
         starts : int, optional
             How many starting guesses to try; by default until three in a row agree.
         time_limit : float, optional
-            Seconds after which no further starting guess is tried.
+            Seconds after which any step ends; `NotConverged` then has what was found.
+        progress : bool, optional
+            Whether a line shows what is tried; by default after one second where a person watches.
 
         Returns
         -------
@@ -132,7 +166,47 @@ class Problem(Statement):
         # CasADi is loaded with it, which takes half a second.
         from trajlib.pontryagin.indirect.solve import solve
 
-        return solve(self, structure, guess, starts, time_limit)
+        return solve(self, structure, guess, starts, time_limit, progress)
+
+    def solve_direct(
+        self,
+        grid: "int | Sequence[float] | np.ndarray" = 80,
+        scheme: str = "runge-kutta",
+        tolerance: float = 1e-9,
+        guess: "DirectProcess | Extremal | dict | None" = None,
+    ) -> "DirectProcess":
+        """Find a process by a nonlinear programme on a grid (direct transcription).
+
+        Parameters
+        ----------
+        grid : int or array_like
+            Number of equal intervals, or the nodes as increasing fractions from 0 to 1.
+        scheme : str
+            "runge-kutta" (constant controls), "trapezoidal" (linear) or "hermite-simpson"
+            (quadratic).
+        tolerance : float
+            Of IPOPT, in natural units.
+        guess : DirectProcess, Extremal or dict, optional
+            An earlier solution on any grid, or values as for `solve`.
+
+        Returns
+        -------
+        DirectProcess
+            States, controls, costates estimated from the multipliers, errors on a finer grid; a
+            guess for `solve`.
+
+        Raises
+        ------
+        PontryaginError
+            If no process is found.
+
+        See Also
+        --------
+        trajlib.pontryagin.indirect.solve_direct.solve_direct : The schemes, and all errors.
+        """
+        from trajlib.pontryagin.indirect.solve_direct import solve_direct
+
+        return solve_direct(self, grid, scheme, tolerance, guess)
 
     def _repr_markdown_(self):
         return problem_markdown(self)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_array, read_times
+from trajlib._arguments.arrays import read_array
+from trajlib._arguments.numbers import read_times
 
 
 def read_record_times(t):
@@ -14,7 +15,7 @@ def read_record_times(t):
 
 def read_weights(sigma, size):
     """Return rho_k = 1/sigma_k^2, zero where nothing was measured."""
-    sigma = np.asarray(sigma, dtype=float)
+    sigma = read_array(sigma, "sigma", "standard errors")
     if sigma.shape not in ((), (size,)):
         raise ValueError(
             f"sigma: expected a number or {size} standard errors, one a time, got shape "
@@ -61,7 +62,7 @@ def read_errors(sigma, h, size):
 
 def read_samples(h, rho):
     """Return samples, finite wherever something was measured."""
-    h, size = np.asarray(h, dtype=float), len(rho)
+    h, size = read_array(h, "h", "samples as numbers"), len(rho)
     if h.ndim == 0 or h.shape[0] != size or 0 in h.shape:
         raise ValueError(
             f"h: expected {size} samples, one a time (several records as columns), got shape "

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_positive, read_seconds
 from trajlib._typing import ArrayLike
 from trajlib.reconstruction import influence
@@ -147,7 +148,7 @@ class Reconstruction:
                 'samples; take method="sweep"'
             )
         inside, _ = self._inside(t)
-        excess = np.asarray(t, dtype=float) - inside
+        excess = read_seconds(t, "t") - inside
         count, shape = self.h[0].size, inside.shape + self.h.shape[1:]
         sigma = np.broadcast_to(self.sigma.reshape(self.t.size, -1), (self.t.size, count))
         weights = self.weights.reshape(self.t.size, count)
@@ -321,10 +322,10 @@ def reconstruct(
 
 def _read_bounds(max_acceleration, h):
     """Return the acceleration bounds of all columns, flat."""
-    bound = np.asarray(max_acceleration, dtype=float)
+    bound = read_array(max_acceleration, "max_acceleration", "a positive number")
     if not (bound > 0).all():
         raise ValueError(
-            f"max_acceleration: expected a positive bound, got {max_acceleration}; no motion has "
+            f"max_acceleration: expected a positive bound, got {bound.min():g}; no motion has "
             "|u| below zero, and with 0 it is uniform: fit a straight line"
         )
     try:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_array
+from trajlib._arguments.arrays import read_array
 
 
 def read_axes(lists, name, short):

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
-from trajlib._arguments.numbers import read_array, read_seconds, read_times
+from trajlib._arguments.arrays import read_array
+from trajlib._arguments.numbers import read_seconds, read_times
 from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_axes, read_box, read_nodes
 from trajlib.reference_curves.integration import SHARPEST, Flow

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_array
+from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_nodes
 

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_names, read_numeric_matrix
 from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
@@ -137,7 +138,7 @@ def analyse(
 def _entry_errors(error, matrix):
     if error is None:
         return np.zeros_like(matrix)
-    error = np.asarray(error, dtype=float)
+    error = read_array(error, "matrix_error", "errors as numbers")
     if not (np.isfinite(error).all() and (error >= 0).all()):
         raise ValueError("matrix_error: expected finite numbers, zero or positive")
     if error.ndim == 0:

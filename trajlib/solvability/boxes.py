@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
 from trajlib.solvability.intervals import FUNCTIONS, Interval
 from trajlib.solvability.rounding import EPS, threshold
@@ -140,7 +141,7 @@ def guarantee(
         if not (np.isfinite(middle.low).all() and np.isfinite(middle.high).all()):
             # the first cell says so
             scaling = np.ones(m)
-    scaling = np.asarray(scaling, dtype=float)
+    scaling = read_array(scaling, "scaling", f"{m} positive numbers")
     if scaling.shape != (m,) or not ((scaling > 0) & np.isfinite(scaling)).all():
         raise ValueError(
             f"scaling: expected {m} positive numbers, got {scaling}; a column that is zero at the "

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
 from trajlib.solvability.analysis import analyse
 from trajlib.solvability.result import Solvability
@@ -106,7 +107,7 @@ def solve(
     from scipy.linalg import qr_multiply, solve_triangular
 
     solvability = analyse(matrix, W, matrix_error=matrix_error, names=names, units=units)
-    Z = np.asarray(Z, dtype=float)
+    Z = read_array(Z, "Z", "measurements as numbers")
     if Z.shape != (solvability.n,):
         raise ValueError(
             f"Z: expected {solvability.n} measurements, one for each row of the matrix, got shape "
@@ -132,5 +133,5 @@ def solve(
             + wrong * np.linalg.norm(residual) / margin**2
         )
     x = y / solvability.scaling
-    htilde = matrix.matrix if hasattr(matrix, "Phi") else np.asarray(matrix, dtype=float)
+    htilde = matrix.matrix if hasattr(matrix, "Phi") else read_array(matrix, "matrix", "a matrix")
     return Estimate(x, Z - htilde @ x, solvability.standard_deviations, rounding, solvability)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.arrays import read_array, read_finite_array
 from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
 from trajlib.solvability.weights import Weights
@@ -157,13 +158,15 @@ class Solvability:
             Attained for some errors, so the bound is sharp.
         """
         inverse = np.abs(self.estimator)
-        e = np.broadcast_to(np.asarray(e, dtype=float), (self.n,))
+        e = np.broadcast_to(read_array(e, "e", "bounds on errors"), (self.n,))
         if not (np.isfinite(e).all() and (e >= 0).all()):
             raise ValueError(
                 "e: expected finite bounds on the errors of the measurements, zero or positive"
             )
         return inverse @ (
-            e if state is None else e + self._entry_errors @ np.abs(np.asarray(state, dtype=float))
+            e
+            if state is None
+            else e + self._entry_errors @ np.abs(read_finite_array(state, "state", "numbers"))
         )
 
     def relative_noise_bound(self, e: ArrayLike, state: ArrayLike) -> float:
@@ -185,8 +188,10 @@ class Solvability:
         -----
         Source: (5) of the paper, corrected.
         """
-        e = self._weights.apply(np.asarray(e, dtype=float))
-        predicted = self._scaled_matrix @ (self.scaling * np.asarray(state, dtype=float))
+        e = self._weights.apply(read_finite_array(e, "e", "errors as numbers"))
+        predicted = self._scaled_matrix @ (
+            self.scaling * read_finite_array(state, "state", "numbers")
+        )
         return float(
             self.singular_values[0]
             / self.singular_values[-1]

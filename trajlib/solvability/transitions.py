@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_finite_array
 from trajlib._arguments.numbers import read_number, read_numeric_matrix, read_times
 from trajlib._typing import ArrayLike
 
@@ -157,7 +158,10 @@ def stack(
         since = times[0] if reference is None else read_number(reference, "reference")
         Phi = np.array([Phi(t, since) for t in times], dtype=float) if callable(Phi) else Phi
         H = np.array([np.atleast_2d(H(t)) for t in times], dtype=float) if callable(H) else H
-    Phi, H = np.asarray(Phi, dtype=float), np.asarray(H, dtype=float)
+    Phi, H = (
+        read_finite_array(matrix, name, "matrices of numbers")
+        for name, matrix in (("Phi", Phi), ("H", H))
+    )
     if Phi.ndim != 3 or Phi.shape[1] != Phi.shape[2]:
         raise ValueError(f"Phi: expected k square matrices, shape (k, m, m), got shape {Phi.shape}")
     k, m, _ = Phi.shape

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_finite_array
 from trajlib._arguments.integration import Budget, read_method
 from trajlib._arguments.numbers import read_names, read_number, read_seconds, read_times
 from trajlib._typing import ArrayLike
@@ -129,9 +130,9 @@ def linearise(
     """
     times = read_times(times)
     reference = float(times[0]) if reference is None else read_number(reference, "reference")
-    state = np.asarray(state, dtype=float)
-    if state.ndim != 1 or state.size == 0 or not np.isfinite(state).all():
-        raise ValueError(f"state: expected a list of finite numbers, got {state}")
+    state = read_finite_array(state, "state", "a list of numbers")
+    if state.ndim != 1 or state.size == 0:
+        raise ValueError(f"state: expected a list of numbers, got the shape {state.shape}")
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: expected a relative tolerance such as 1e-10, got {rtol}")
     read_method(method)

@@ -7,6 +7,7 @@ import contextlib
 
 import numpy as np
 
+from trajlib._arguments.arrays import read_array
 from trajlib._numerical_rank import zero_level
 
 
@@ -21,7 +22,7 @@ class Weights:
         self.factor = None
         if W is None:
             return
-        W = np.asarray(W, dtype=float)
+        W = read_array(W, "W", "variances as numbers")
         if not np.isfinite(W).all():
             raise ValueError("W: its entries must be finite; leave out what was not measured")
         if W.ndim == 1:

@@ -16,6 +16,7 @@ from trajlib._lazy import lazy_names
 _EXPORTS = {
     "hurwitz": ["characteristic_polynomial", "hurwitz_matrix", "hurwitz_minors"],
     "regions": ["StabilityConditions", "stability_conditions"],
+    "jury": ["jury_conditions"],
     "shifted_polynomials": ["shift"],
     "critical": ["LinearStability", "linear_stability"],
     "equilibrium": ["Equilibria", "equilibria"],

@@ -8,6 +8,7 @@ from trajlib.stability.equilibrium import equilibria as equilibria
 from trajlib.stability.hurwitz import characteristic_polynomial as characteristic_polynomial
 from trajlib.stability.hurwitz import hurwitz_matrix as hurwitz_matrix
 from trajlib.stability.hurwitz import hurwitz_minors as hurwitz_minors
+from trajlib.stability.jury import jury_conditions as jury_conditions
 from trajlib.stability.linearisation import linearise as linearise
 from trajlib.stability.linearisation import linearise_along as linearise_along
 from trajlib.stability.lyapunov import Definiteness as Definiteness

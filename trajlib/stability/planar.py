@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.matrices import has_floats, read_exact_matrix
+from trajlib._arguments.matrices import has_floats, read_exact_matrix, read_float_matrix
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real
@@ -91,7 +91,7 @@ def classify_planar(A: MatrixLike) -> str | PlanarTypes:
     ['unstable degenerate node']
     """
     if has_floats(A):
-        return _classify_floats(np.array(A, dtype=float))
+        return _classify_floats(read_float_matrix(A))
     A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")

@@ -1,4 +1,4 @@
-"""Regions of asymptotic stability in the space of parameters, also with a margin.
+"""Regions of asymptotic stability in the space of parameters, also with a degree of stability.
 
 The Hurwitz criterion is used in the form of Lienard and Chipart: with positive coefficients of one
 parity only every second Hurwitz minor need be tested (F. R. Gantmacher, The Theory of Matrices,
@@ -15,6 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import has_floats, read_exact_matrix
+from trajlib._arguments.renamed import renamed
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import (
     exact_decimals,
@@ -42,7 +43,7 @@ class Edge:
         The characteristic polynomial there, of lower order.
     region : sympy.Basic
         The condition under which that equation is asymptotically stable on the edge, with the same
-        margin.
+        degree of stability.
     """
 
     where: sp.Basic
@@ -52,7 +53,7 @@ class Edge:
 
 @dataclass(frozen=True)
 class StabilityConditions:
-    """The set of parameters for which all roots of `polynomial` have real parts below -`margin`.
+    """The set of parameters for which all roots of `polynomial` have a degree of stability.
 
     Attributes
     ----------
@@ -62,13 +63,14 @@ class StabilityConditions:
         Its variable.
     parameters : tuple of sympy.Symbol
         The coordinates of the parameter space.
-    margin : sympy.Expr
-        mu >= 0 in Re lambda < -mu.
+    degree : sympy.Expr
+        mu >= 0 in Re lambda < -mu, in discrete time in |z| < 1 - mu.
     region : sympy.Basic
         The answer as a condition: an And of strict inequalities in the shortest form found,
         `sp.true` or `sp.false`; an Or of such if a leading coefficient may have either sign.
     minors : tuple
-        The Hurwitz minors Delta_1, ..., Delta_n of the shifted polynomial as computed.
+        The Hurwitz minors Delta_1, ..., Delta_n of the shifted polynomial as computed, in discrete time
+        of the transformed one.
     degenerate : tuple of Edge
         The edges on which the order drops; they are no part of `region`.
     empty : bool or None
@@ -78,7 +80,7 @@ class StabilityConditions:
     polynomial: sp.Expr
     symbol: sp.Symbol
     parameters: tuple[sp.Symbol, ...]
-    margin: sp.Expr
+    degree: sp.Expr
     region: sp.Basic
     minors: tuple[sp.Expr, ...]
     degenerate: tuple[Edge, ...]
@@ -154,16 +156,15 @@ class StabilityConditions:
         return f"$\\displaystyle {latex_region(self.region)}$"
 
 
-@accepts_state_space(
-    "A", time="continuous", instead="write its characteristic polynomial in w, z = (1 + w)/(1 - w)"
-)
+@renamed(margin="degree")
+@accepts_state_space("A", time="continuous", instead="use jury_conditions")
 def stability_conditions(
     poly_or_matrix: PolynomialLike | MatrixLike,
     parameters: Symbols,
-    margin: ExprLike = 0,
+    degree: ExprLike = 0,
     symbol: sp.Symbol | None = None,
 ) -> StabilityConditions:
-    """Return the conditions on `parameters` for asymptotic stability, also with a margin.
+    """Return the conditions on `parameters` for asymptotic stability, or a degree of it.
 
     Parameters
     ----------
@@ -173,10 +174,10 @@ def stability_conditions(
     parameters : sequence of sympy.Symbol
         All symbols in it; they stand for real numbers, and their assumptions (positive=True) are
         used.
-    margin : float or sympy.Expr, default 0
+    degree : float or sympy.Expr, default 0
         mu >= 0, for Re lambda < -mu.
     symbol : sympy.Symbol, optional
-        The variable of the polynomial.
+        The variable of the polynomial; may be left out if it is its only symbol beside `parameters`.
 
     Returns
     -------
@@ -186,7 +187,7 @@ def stability_conditions(
     Raises
     ------
     ValueError
-        For symbols that are not named as parameters, for a negative margin, and as
+        For symbols that are not named as parameters, for a negative degree of stability, and as
         `hurwitz_matrix`.
 
     Notes
@@ -199,28 +200,49 @@ def stability_conditions(
     --------
     >>> import sympy as sp
     >>> k1, k2 = sp.symbols("k1 k2")
-    >>> found = stability_conditions(sp.Matrix([[k1, 1], [1, k2]]), [k1, k2], margin=2)
+    >>> found = stability_conditions(sp.Matrix([[k1, 1], [1, k2]]), [k1, k2], degree=2)
     >>> found.region
     (k1 + k2 < -4) & (k1*k2 + 2*k1 + 2*k2 > -3)
     >>> found.contains([-5, -5]), found.contains([-2, -3])
     (True, False)
     """
     parameters = read_symbols(parameters, "parameters")
-    margin = exact_decimals(read_expression(margin, "margin"))
-    coefficients, symbol = _read_equation(poly_or_matrix, symbol)
+    coefficients, symbol = read_equation(poly_or_matrix, parameters, symbol)
+    degree = read_degree(degree, coefficients, parameters, symbol)
+
+    def judge(part):
+        return _region(part, parameters, degree)
+
+    region, decided = judge(coefficients)
+    return StabilityConditions(
+        polynomial=polynomial_of(coefficients, symbol),
+        symbol=symbol,
+        parameters=parameters,
+        degree=degree,
+        region=region,
+        minors=tuple(hurwitz_minors(shifted_coefficients(coefficients, degree))),
+        degenerate=tuple(edges(coefficients, symbol, parameters, judge)),
+        empty=region is sp.false if decided else None,
+    )
+
+
+def read_degree(degree, coefficients, parameters, symbol):
+    """Return the degree of stability for an equation, all symbols of which are named."""
+    degree = exact_decimals(read_expression(degree, "degree"))
     named = set(parameters) | {symbol}
-    undeclared = set().union(margin.free_symbols, *(c.free_symbols for c in coefficients)) - named
+    undeclared = set().union(degree.free_symbols, *(c.free_symbols for c in coefficients)) - named
     if undeclared:
         raise ValueError(
             f"parameters: the equation also has {join_names(undeclared)}; "
             "name every symbol that is not a number"
         )
-    if margin.is_real is False or margin.is_negative:
-        raise ValueError(f"margin: expected a real number that is not negative, got {margin}")
-    return _conditions(coefficients, symbol, parameters, margin)
+    if degree.is_real is False or degree.is_negative:
+        raise ValueError(f"degree: expected a real number that is not negative, got {degree}")
+    return degree
 
 
-def _read_equation(poly_or_matrix, symbol):
+def read_equation(poly_or_matrix, parameters, symbol):
+    """Return the coefficients of a characteristic polynomial or of that of a matrix, and its symbol."""
     if has_floats(poly_or_matrix) and np.ndim(poly_or_matrix) == 2:
         poly_or_matrix = sp.Matrix(poly_or_matrix)
     if isinstance(poly_or_matrix, sp.MatrixBase):
@@ -228,6 +250,9 @@ def _read_equation(poly_or_matrix, symbol):
         poly_or_matrix = characteristic_polynomial(
             read_exact_matrix(poly_or_matrix, square=True), symbol
         )
+    if symbol is None and isinstance(poly_or_matrix, sp.Expr):
+        left = poly_or_matrix.free_symbols - set(parameters)
+        symbol = left.pop() if len(left) == 1 else None
     coefficients = read_coefficients(poly_or_matrix, symbol)
     if isinstance(coefficients[0], Fraction):
         coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
@@ -242,33 +267,28 @@ def _read_equation(poly_or_matrix, symbol):
     return coefficients, symbol
 
 
-def _conditions(coefficients, symbol, parameters, margin):
-    region, decided = _region(coefficients, parameters, margin)
-    return StabilityConditions(
-        polynomial=_polynomial(coefficients, symbol),
-        symbol=symbol,
-        parameters=parameters,
-        margin=margin,
-        region=region,
-        minors=tuple(hurwitz_minors(shifted_coefficients(coefficients, margin))),
-        degenerate=tuple(_edges(coefficients, symbol, parameters, margin)),
-        empty=region is sp.false if decided else None,
-    )
+def polynomial_of(coefficients, symbol):
+    """Return the polynomial with these coefficients, the highest power first."""
+    order = len(coefficients) - 1
+    return sum(c * symbol ** (order - i) for i, c in enumerate(coefficients))
 
 
-def _polynomial(coefficients, symbol):
-    degree = len(coefficients) - 1
-    return sum(c * symbol ** (degree - i) for i, c in enumerate(coefficients))
-
-
-def _region(coefficients, parameters, margin):
+def _region(coefficients, parameters, degree):
     """Return the reduced region and whether its emptiness is decided."""
-    shifted = shifted_coefficients(coefficients, margin)
-    to_real, from_real = as_real(*shifted)
-    real, symbols = [c.xreplace(to_real) for c in shifted], [to_real.get(p, p) for p in parameters]
-    lead = sign_of(real[0])
+    shifted = shifted_coefficients(coefficients, degree)
+    sign = sign_of(shifted[0].xreplace(as_real(shifted[0])[0]))
+    return reduced_region(shifted, parameters, (1, -1) if sign is None else (sign,))
+
+
+def reduced_region(coefficients, parameters, signs):
+    """Return where the Hurwitz criterion holds with one of the signs, and whether it is decided if empty."""
+    to_real, from_real = as_real(*coefficients)
+    real, symbols = (
+        [c.xreplace(to_real) for c in coefficients],
+        [to_real.get(p, p) for p in parameters],
+    )
     regions = []
-    for sign in (1, -1) if lead is None else (lead,):
+    for sign in signs:
         candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign * c for c in real])]
         regions.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
     return sp.Or(*(region for region, _ in regions)).xreplace(from_real), all(
@@ -290,7 +310,7 @@ def _length(region):
     return len(region.args) if isinstance(region, sp.And) else 1, region.count_ops()
 
 
-def _edges(coefficients, symbol, parameters, margin, where=()):
+def edges(coefficients, symbol, parameters, judge, where=()):
     """Yield the edges where the leading coefficient vanishes, and then the next one."""
     lead, lower = coefficients[0], coefficients[1:]
     if sign_of(lead.xreplace(as_real(lead)[0])) is not None:
@@ -307,8 +327,8 @@ def _edges(coefficients, symbol, parameters, margin, where=()):
         lower = lower[1:]
     if len(lower) < 2:
         return
-    yield Edge(sp.And(*where), _polynomial(lower, symbol), _region(lower, parameters, margin)[0])
-    yield from _edges(lower, symbol, parameters, margin, where)
+    yield Edge(sp.And(*where), polynomial_of(lower, symbol), judge(lower)[0])
+    yield from edges(lower, symbol, parameters, judge, where)
 
 
 def _exact_number(value):

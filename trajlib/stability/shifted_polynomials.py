@@ -1,27 +1,29 @@
-"""Polynomials with shifted roots, p(s - margin), for a stability margin."""
+"""Polynomials with shifted roots, p(s - degree), for a degree of stability."""
 
 from fractions import Fraction
 
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.renamed import renamed
 from trajlib._arguments.symbols import exact_decimals, read_expression
 from trajlib._typing import ExprLike, PolynomialLike
 from trajlib.stability.hurwitz import read_coefficients
 
 
+@renamed(margin="degree")
 def shift(
-    poly: PolynomialLike, margin: ExprLike, symbol: sp.Symbol | None = None
+    poly: PolynomialLike, degree: ExprLike, symbol: sp.Symbol | None = None
 ) -> PolynomialLike:
-    """Return p(s - margin), whose roots are those of p moved to the right by `margin`.
+    """Return p(s - degree), whose roots are those of p moved to the right by `degree`.
 
-    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0.
+    All roots of p satisfy Re s < -degree exactly when those of p(s - degree) satisfy Re s < 0.
 
     Parameters
     ----------
     poly : sympy.Expr, sympy.Poly or sequence of coefficients
         The polynomial p; coefficients stand with the highest power first.
-    margin : float or sympy.Expr
+    degree : float or sympy.Expr
         The shift.
     symbol : sympy.Symbol, optional
         The variable of an expression; may be left out if it is its only symbol.
@@ -49,12 +51,12 @@ def shift(
     >>> shift([1, 4, 5], 2)
     [1, 0, 1]
     """
-    margin = read_expression(margin, "margin")
+    degree = read_expression(degree, "degree")
     coefficients = read_coefficients(poly, symbol)
     floats = isinstance(coefficients[0], Fraction)
     if floats:
         coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
-    shifted = shifted_coefficients(coefficients, exact_decimals(margin))
+    shifted = shifted_coefficients(coefficients, exact_decimals(degree))
     if isinstance(poly, sp.Poly):
         return sp.Poly(shifted, *poly.gens)
     if isinstance(poly, sp.Expr):
@@ -63,10 +65,10 @@ def shift(
     return np.array(shifted, dtype=float) if floats else shifted
 
 
-def shifted_coefficients(coefficients, margin):
-    """Return the coefficients of p(s - margin) by repeated Horner division."""
+def shifted_coefficients(coefficients, degree):
+    """Return the coefficients of p(s - degree) by repeated Horner division."""
     work = list(coefficients)
     for last in range(len(work), 1, -1):
         for i in range(1, last):
-            work[i] = sp.expand(work[i] - margin * work[i - 1])
+            work[i] = sp.expand(work[i] - degree * work[i - 1])
     return work

@@ -167,8 +167,7 @@ def _bracket(A, H, within):
         sigmas = _not_less_than(A, H, points, side)
         best = points[np.argmin(sigmas)]
         upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda minimum: minimum[0])
-        least = sigmas[index.reshape(-1, 4)].min(axis=1)
-        bounds = np.sqrt(np.maximum(least**2 - side**2 / 2, 0))
+        bounds = _least_in_squares(sigmas[index.reshape(-1, 4)], side)
         undecided = bounds < (1 - within) * upper
         decided_bound = min(decided_bound, bounds[~undecided].min(initial=decided_bound))
         if 4 * undecided.sum() > _MOST_SQUARES:
@@ -176,6 +175,11 @@ def _bracket(A, H, within):
         quarters = 2 * squares[undecided][:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
         squares, side = quarters.reshape(-1, 2), side / 2
     return decided_bound, upper + rounding, value
+
+
+def _least_in_squares(corners, side):
+    """Return lower bounds of sigma in squares, a row with its values at the four corners for each."""
+    return np.sqrt(np.maximum(corners.min(axis=1) ** 2 - side**2 / 2, 0))
 
 
 def _field_of_values(A, reach):

@@ -1,8 +1,8 @@
-"""Fixed eigenvalues: stabilisability, detectability and the best margin of stability.
+"""Fixed eigenvalues: stabilisability, detectability and the greatest degree of stability.
 
 A mode that is uncontrollable keeps its eigenvalue under u = Kx, and one that is unobservable keeps
 it in the errors of every observer; the others can be put anywhere (Theorems 3.1 and 3.3 for the
-part that is left). So the best margin is that of the slowest fixed mode, and infinite if there is
+part that is left). So the greatest degree of stability is that of the slowest fixed mode, and infinite if there is
 none.
 
 A mode decays if Re lambda < 0, in discrete time if |lambda| < 1; `rate` below is Re lambda or |lambda|
@@ -36,7 +36,7 @@ class FixedSpectrum:
     obstacles : tuple of HiddenMode
         Those of them that do not decay, Re lambda >= 0, in discrete time |lambda| >= 1.
     margin : sympy.Expr or float
-        The greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin); `sp.oo` (for
+        The greatest degree of stability that some gain gives (Definition 1.5: Re lambda <= -margin); `sp.oo` (for
         floats `inf`) if nothing is fixed; zero or negative where there are obstacles. In discrete time
         |lambda| <= 1 - margin, and 1 if nothing is fixed.
     reason : str
@@ -56,7 +56,7 @@ class FixedSpectrum:
 
 
 def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum:
-    """Decide whether u = Kx can stabilise x' = Ax + Bu, and with what margin.
+    """Decide whether u = Kx can stabilise x' = Ax + Bu, and how fast the loop can be.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum
 
 @accepts_state_space(C="H")
 def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
-    """Decide whether x' = Ax, z = Hx has an asymptotic observer, and with what margin.
+    """Decide whether x' = Ax, z = Hx has an asymptotic observer, and how fast it can be.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
 def best_margin(
     A: MatrixLike, B: MatrixLike | None = None, H: MatrixLike | None = None
 ) -> sp.Expr | float:
-    """Return the greatest margin of a regulator, an observer or an observer-based feedback.
+    """Return the greatest degree of stability of a regulator, an observer or both.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def best_margin(
     Returns
     -------
     sympy.Expr or float
-        The margin of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin is possible.
+        The degree of stability of Definition 1.5; `sp.oo` if every one is possible.
 
     Raises
     ------
@@ -197,7 +197,9 @@ def _fixed(test, discrete, limit, word, explanation):
         margin = sp.oo if test.margin is None else np.inf
         if discrete:
             return FixedSpectrum((), (), 1.0, f"{word}: no eigenvalue is fixed, all may be zero")
-        return FixedSpectrum((), (), margin, f"{word}, with any margin: no eigenvalue is fixed")
+        return FixedSpectrum(
+            (), (), margin, f"{word}, with any degree of stability: no eigenvalue is fixed"
+        )
     margin = -_greatest(rates)
     names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.hidden_modes))
     named = ", ".join(names)
@@ -205,9 +207,7 @@ def _fixed(test, discrete, limit, word, explanation):
         reason = f"not {word}: a mode with {named} does not decay, and {explanation}"
     else:
         are = "is" if len(names) == 1 else "are"
-        reason = (
-            f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {explanation}"
-        )
+        reason = f"{word}, with a degree of stability of at most {margin}: {named} {are} fixed, and {explanation}"
     return FixedSpectrum(tuple(test.hidden_modes), obstacles, margin, reason)
 
 

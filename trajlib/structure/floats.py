@@ -147,7 +147,7 @@ def hidden_modes(split):
 
 
 def _numbers(block):
-    """Return the eigenvalues with Im >= 0; a ring made by rounding is replaced by its mean."""
+    """Return the eigenvalues with Im >= 0: the mean of a ring made by rounding, zero for less than that."""
     remaining, limit, values = list(np.linalg.eigvals(block)), tolerance(len(block)), []
     while remaining:
         # A multiple number of order k comes as a ring of the radius of the k-th root of rounding.
@@ -156,7 +156,10 @@ def _numbers(block):
         for count in range(len(remaining), 0, -1):
             ring = order[:count]
             mean = np.mean([remaining[i] for i in ring])
-            mean = float(mean.real) if abs(mean.imag) <= limit else complex(mean)
+            real, imaginary = (
+                part if abs(part) > limit else 0.0 for part in (mean.real, mean.imag)
+            )
+            mean = complex(real, imaginary) if imaginary else float(real)
             if count == 1 or (
                 distances[ring[-1]] <= 2 * limit ** (1 / count) and _singular(block, mean) <= limit
             ):

@@ -9,7 +9,9 @@ not vanish.
 import numpy as np
 
 from trajlib.pontryagin.problem.errors import PontryaginError
+from trajlib.pontryagin.problem.hypotheses import LINEAR_TARGET, TARGET
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.steps import Hypothesis, Refusal
 
 # Share of the way from the initial state that Newton's method begins before the end; its steps; and
 # the share to which the gradient falls where it vanishes on the target.
@@ -41,3 +43,19 @@ def refuse_degenerate_target(numeric: NumericProblem, states: np.ndarray) -> Non
                 "no normal there: the conditions at the end do not determine the process. Write "
                 "equations whose gradients do not vanish, as x = 0 in place of x**2 = 0."
             )
+
+
+NONLINEAR_TARGET = Hypothesis(
+    "a terminal equation is nonlinear", lambda p: not LINEAR_TARGET.holds(p)
+)
+DEGENERATE_TARGET = Refusal(
+    "target without a normal",
+    "The gradient of a terminal equation vanishes on the target, so that transversality determines "
+    "nothing.",
+    "Theorem 5.1 of the problem book, regular targets",
+    (TARGET, NONLINEAR_TARGET),
+    PontryaginError,
+    lambda numeric, search_result: refuse_degenerate_target(
+        numeric, search_result.solutions[0][0].states
+    ),
+)

@@ -20,7 +20,13 @@ import sympy as sp
 
 from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.errors import Infeasible
-from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.hypotheses import (
+    GIVEN_START,
+    LINEAR_PLANT,
+    LINEAR_TARGET,
+    TARGET,
+)
+from trajlib.pontryagin.problem.steps import Hypothesis, Refusal
 
 # Highest degree of p, the first that leads to so few coefficients.
 DEGREES, MAX_COEFFICIENTS = (3, 2), 90
@@ -31,14 +37,15 @@ UNCHANGED = 1e-10
 MARGIN = 1e-9
 
 
-def refuse_first_integrals(numeric: NumericProblem) -> None:
-    """Raise `Infeasible` if a polynomial first integral keeps every process off the target."""
+# Where both are linear, `infeasibility` and `free_motion` decide.
+NONLINEAR = Hypothesis(
+    "the plant or a terminal equation is nonlinear",
+    lambda p: not (LINEAR_PLANT.holds(p) and LINEAR_TARGET.holds(p)),
+)
+
+
+def _refuse_first_integrals(numeric):
     problem = numeric.problem
-    if not problem.terminal or np.isnan(numeric.start).any():
-        return
-    _refuse_fixed_point(problem)
-    if _is_linear(problem):
-        return  # `infeasibility` and `free_motion` decide these
     powers = _powers(numeric.n)
     if powers is None or not _may_have_integrals(numeric, powers):
         return
@@ -57,9 +64,8 @@ def refuse_first_integrals(numeric: NumericProblem) -> None:
         )
 
 
-def _refuse_fixed_point(problem):
-    """Raise `Infeasible` if no control moves the initial state, and it is not on the target."""
-    start = dict(problem.initial)
+def _refuse_fixed_point(numeric):
+    problem, start = numeric.problem, dict(numeric.problem.initial)
     if any(sp.expand(f.subs(start)) != 0 for f in problem.field):
         return
     for g in problem.terminal:
@@ -84,13 +90,6 @@ def _largest(problem):
         ends = [v for g in problem.terminal for v in (y - g, y + g) if v.is_number]
         result[y] = max([result[y], *map(abs, ends)])
     return result
-
-
-def _is_linear(problem):
-    """Check for a linear plant with linear terminal equations."""
-    y, u = list(problem.state), list(problem.control)
-    slopes = sp.Matrix(problem.field).jacobian([*y, *u])
-    return not (slopes.free_symbols or sp.Matrix(problem.terminal).jacobian(y).free_symbols)
 
 
 def _powers(n):
@@ -199,3 +198,21 @@ def _in_words(low, high):
     if low == high:
         return sp.sstr(low)
     return f"at least {sp.sstr(low)}" if low != -sp.oo else f"at most {sp.sstr(high)}"
+
+
+FIXED_POINT = Refusal(
+    "initial state at which all right-hand sides vanish",
+    "It is never left, so that the target cannot be reached from it.",
+    "uniqueness of solutions of differential equations",
+    (TARGET, GIVEN_START),
+    Infeasible,
+    _refuse_fixed_point,
+)
+FIRST_INTEGRALS = Refusal(
+    "polynomial first integrals",
+    "A polynomial p(y) that no control changes has a value at the start that the target excludes.",
+    "trajlib.pontryagin.direct.first_integrals",
+    (TARGET, GIVEN_START, NONLINEAR),
+    Infeasible,
+    _refuse_first_integrals,
+)

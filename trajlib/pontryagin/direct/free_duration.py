@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.direct.descent import finer_solution
 from trajlib.pontryagin.direct.guesses import starting_guesses
 from trajlib.pontryagin.direct.transcription import (
     INTERVALS,
@@ -13,7 +14,16 @@ from trajlib.pontryagin.direct.transcription import (
     Transcription,
 )
 from trajlib.pontryagin.problem.errors import NotUnique, Unbounded
+from trajlib.pontryagin.problem.hypotheses import (
+    COST_OTHER_THAN_TIME,
+    FREE_TIME,
+    LINEAR_PLANT,
+    LINEAR_TARGET,
+    NO_FIRST_RETURN,
+    UNCONSTRAINED,
+)
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.steps import Hypothesis, Refusal
 
 # Decrease of the cost, as a share of it, that is more than the error of a discrete solution.
 FALLS = 1e-3
@@ -29,43 +39,34 @@ def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float |
     """
     if numeric.duration is not None:
         return numeric.duration
+    EXTREME_DURATION.check(numeric, solution)
+    if numeric.time_bounds_given:
+        for bound in (numeric.shortest, numeric.longest):
+            if abs(solution.duration - bound) <= 1e-6 * (1 + bound):
+                return bound
+    return None
+
+
+def _refuse_extreme_duration(numeric, solution):
     T, low, high = solution.duration, numeric.shortest, numeric.longest
-    if T <= 1.5 * low and not numeric.time_bounds_given:
+    if T <= 1.5 * low:
         raise Unbounded(
             f"the best duration tends to zero (it ran into {numeric.user_time(low):g}, with a cost of "
             f"{numeric.user_cost(solution.cost):.6g}): the infimum is approached by ever shorter "
             "processes and not attained. Bound the controls, or give a duration; if processes as "
             "short as that are meant, choose a smaller unit of time."
         )
-    if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
+    if T >= high * (1 - 1e-6):
         raise Unbounded(
             f"the best duration grows beyond every bound (it ran into {numeric.user_time(high):g}): there is no best "
             "process. Give a duration, or bounds for it; for a process that ends when it first "
             "meets the target, state it with first_return=True."
         )
-    if numeric.time_bounds_given:
-        for bound in (low, high):
-            if abs(T - bound) <= 1e-6 * (1 + bound):
-                return bound
-    return None
 
 
-def refuse_any_duration(numeric: NumericProblem) -> None:
-    """Raise `Unbounded` if a linear plant reaches the target in any time, and as fast as possible.
-
-    Controls without bounds lead a controllable plant from any state to any other in any time t > 0.
-    """
+def _refuse_any_duration(numeric):
     problem = numeric.problem
     slopes = sp.Matrix(problem.field).jacobian([*problem.state, *problem.control])
-    if (
-        not problem.time_optimal
-        or problem.maximise
-        or problem.duration is not None
-        or problem.constrained
-        or slopes.free_symbols
-        or sp.Matrix(problem.terminal).jacobian(problem.state).free_symbols
-    ):
-        return
     n = len(problem.state)
     unbounded = [
         n + j for j, pair in enumerate(problem.controls.values()) if pair == (-sp.oo, sp.oo)
@@ -80,19 +81,15 @@ def refuse_any_duration(numeric: NumericProblem) -> None:
         )
 
 
-def refuse_falling_cost(numeric, search_result):
+def _refuse_falling_cost(numeric, search_result):
     """Raise `Unbounded` if the cost falls with twice the duration, and further with four times.
 
     Then nothing in the solution is stationary but the errors of its steps, and joining its arcs
     takes minutes and fails. With longer steps it has another duration: where the duration is the
     same, nothing has to be tried.
     """
-    problem, (solution, side) = numeric.problem, search_result.solutions[0]
-    if (
-        problem.time_optimal
-        or problem.first_return
-        or fixed_duration(numeric, solution) is not None
-    ):
+    solution, side = search_result.solutions[0]
+    if fixed_duration(numeric, solution) is not None:
         return
     if any(
         abs(duration - solution.duration) < SETTLED * solution.duration
@@ -155,6 +152,12 @@ def refuse_unbounded_duration(numeric, solution, side):
     )
 
 
+def _refuse_open_duration(numeric, solution, side):
+    if fixed_duration(numeric, solution) is None:
+        finer = finer_solution(numeric, solution, side, 4) or solution
+        refuse_unbounded_duration(numeric, finer, side)
+
+
 def least_time(numeric: NumericProblem) -> float | None:
     """Return the least time to the target by transcription; None if none was found."""
     fastest = NumericProblem(
@@ -163,3 +166,46 @@ def least_time(numeric: NumericProblem) -> float | None:
     programme = Transcription(fastest, INTERVALS)
     results = (programme.solve(start) for start in starting_guesses(fastest, INTERVALS))
     return next((result.duration for result in results if isinstance(result, DirectSolution)), None)
+
+
+LEAST_TIME = Hypothesis(
+    "the cost is the time, which is free and to be least",
+    lambda p: p.time_optimal and not p.maximise and p.duration is None,
+)
+NO_TIME_BOUNDS = Hypothesis("the final time is free without bounds", lambda p: p.duration is None)
+CONTROL_WITHOUT_BOUNDS = Hypothesis(
+    "a control has no bounds",
+    lambda p: any(pair == (-sp.oo, sp.oo) for pair in p.controls.values()),
+)
+ANY_DURATION = Refusal(
+    "least time with controls without bounds",
+    "They lead a controllable linear plant to the target in any time, so that none is the least.",
+    "Kalman 1960, controllability in any time",
+    (LEAST_TIME, UNCONSTRAINED, LINEAR_PLANT, LINEAR_TARGET, CONTROL_WITHOUT_BOUNDS),
+    Unbounded,
+    _refuse_any_duration,
+)
+FALLING_COST = Refusal(
+    "cost that falls with the duration",
+    "The cost of the discrete solutions falls with twice and four times the duration.",
+    "numerical evidence",
+    (FREE_TIME, COST_OTHER_THAN_TIME, NO_FIRST_RETURN),
+    Unbounded,
+    _refuse_falling_cost,
+)
+EXTREME_DURATION = Refusal(
+    "duration that tends to zero or grows without end",
+    "The best duration of a discrete solution ran into the bounds that every duration has here.",
+    "numerical evidence",
+    (NO_TIME_BOUNDS,),
+    Unbounded,
+    _refuse_extreme_duration,
+)
+OPEN_DURATION = Refusal(
+    "duration that is not determined",
+    "A longer duration never costs more (no best one), or the same (many best ones).",
+    "numerical evidence",
+    (FREE_TIME,),
+    Unbounded,
+    _refuse_open_duration,
+)

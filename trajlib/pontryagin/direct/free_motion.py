@@ -18,8 +18,13 @@ import numpy as np
 import sympy as sp
 
 from trajlib.pontryagin.problem.errors import Infeasible
-from trajlib.pontryagin.problem.numeric import NumericProblem
-from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.hypotheses import (
+    FREE_TIME,
+    GIVEN_START,
+    LINEAR_TARGET,
+    RELAXED_LINEAR_PLANT,
+)
+from trajlib.pontryagin.problem.steps import Refusal
 
 # Decimal digits of the coefficients; those below CANCELS, relative to the largest, are zero.
 DIGITS, CANCELS = 50, 1e-30
@@ -29,13 +34,9 @@ ROUNDING, ANGLES = 1e-12, 720
 MAX_INTERVALS, MAX_DOUBLINGS = 4000, 40
 
 
-def refuse_missed_target(numeric: NumericProblem, problem: Statement) -> None:
-    """Raise `Infeasible` if uncontrollable states never have the values of the target at once.
-
-    `problem`: a linear plant with linear terminal equations, the initial state being given. Plants
-    with other than rational coefficients are left aside.
-    """
-    rows, motion, start = _prescribed_motion(problem)
+def _refuse_missed_target(numeric):
+    rows, motion, start = _prescribed_motion(numeric.angle_relaxation.problem)
+    # Plants with other than rational coefficients are left aside.
     if not rows or not all(e.is_Rational for e in (*motion, *start)):
         return
     terms = _terms(sp.Matrix.vstack(*(row for _, row in rows)), motion, start)
@@ -169,3 +170,13 @@ def _no_common_zero(terms, shortest, longest):
         if not np.any(np.abs(value) > slope * (end - begin) / 2 + ROUNDING * size):
             remaining += [(begin, middle), (middle, end)]
     return not remaining
+
+
+MISSED_TARGET = Refusal(
+    "free motion that misses the target",
+    "Uncontrollable states follow a known function of time, which meets the target at no time.",
+    "trajlib.pontryagin.direct.free_motion",
+    (FREE_TIME, LINEAR_TARGET, GIVEN_START, RELAXED_LINEAR_PLANT),
+    Infeasible,
+    _refuse_missed_target,
+)

@@ -3,8 +3,7 @@
 import numpy as np
 
 from trajlib._lazy import casadi as ca
-from trajlib.pontryagin.problem.errors import StartOnTarget
-from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
+from trajlib.pontryagin.problem.numeric import runge_kutta
 
 
 def starting_guesses(numeric, intervals, side=None):
@@ -114,27 +113,6 @@ def target_sides(numeric):
     return sorted(slopes) or [-1, 1]
 
 
-def refuse_start_on_target(numeric: NumericProblem) -> None:
-    """Raise `StartOnTarget` if the initial state is on the target and the final time is free."""
-    problem = numeric.problem
-    if (
-        problem.first_return
-        or not problem.free_time
-        or not numeric.m
-        or np.isnan(numeric.start).any()
-    ):
-        return
-    if numeric.time_bounds_given and numeric.shortest > numeric.SHORTEST:
-        return
-    values = numeric.target_value(numeric.start)[0].full().ravel()
-    if np.max(np.abs(values)) <= 1e-12 * (1 + np.max(np.abs(numeric.start))):
-        raise StartOnTarget(
-            "the initial state satisfies the terminal conditions already: the process ends at "
-            "once, after zero time. For the first return to the target after it has been left, "
-            "state the problem with first_return=True."
-        )
-
-
 def _constant_controls(numeric):
     """Return the middle of the bounds, and this with one control after the other at its bounds."""
     middle = numeric.middle()
@@ -205,7 +183,7 @@ def read_guess(numeric, guess):
         times = np.linspace(0, guess.duration, M + 1)
         return guess.duration, guess.state(times).T, guess.control((times[1:] + times[:-1]) / 2).T
     if not isinstance(guess, dict):
-        raise TypeError(f"guess: expected an Extremal or a dict, got {guess!r}")
+        raise TypeError(f"guess: expected an Extremal, a DirectProcess or a dict, got {guess!r}")
     unknown = [
         key for key in guess if key != "duration" and key not in (*problem.state, *problem.control)
     ]

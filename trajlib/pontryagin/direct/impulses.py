@@ -13,6 +13,7 @@ import sympy as sp
 
 from trajlib.pontryagin.direct.descent import solution_from_controls
 from trajlib.pontryagin.problem.errors import Unbounded
+from trajlib.pontryagin.problem.steps import Hypothesis, Refusal
 
 # Growth of the largest control from one grid to a finer one, and the mean decrease of the cost as a
 # share of it, that are not errors of the steps.
@@ -23,17 +24,8 @@ LARGE = 2**40
 FINER = 4
 
 
-def refuse_impulses(numeric, solution, side):
-    """Raise `Unbounded` if short large controls cost ever less on finer grids."""
-    degrees = {
-        j: degree
-        for j, u in enumerate(numeric.problem.control)
-        if not np.isfinite([numeric.lower[j], numeric.upper[j]]).all()
-        and (degree := _impulsive_degree(numeric.problem, u)) is not None
-        and degree > 0
-    }
-    if not degrees:
-        return
+def _refuse_impulses(numeric, solution, side):
+    degrees = _impulsive_degrees(numeric.problem)
     solutions = [solution]
     for _ in range(2):
         controls = _sharpened(solutions[-1].controls, degrees)
@@ -58,6 +50,17 @@ def refuse_impulses(numeric, solution, side):
                 f"faster with it than the dynamics do, so that ever shorter impulses of {u} cost ever "
                 f"less ({values}). Bound {u}, or give it a cost that grows faster."
             )
+
+
+def _impulsive_degrees(problem):
+    """Return {index: degree of f} of the controls in which impulses may cost ever less."""
+    return {
+        j: degree
+        for j, (u, (low, high)) in enumerate(problem.controls.items())
+        if not (low.is_finite and high.is_finite)
+        and (degree := _impulsive_degree(problem, u)) is not None
+        and degree > 0
+    }
 
 
 def _impulsive_degree(problem, u):
@@ -94,3 +97,17 @@ def _sharpened(controls, degrees):
         finer[:, j] = 0.0
         finer[::FINER, j] = controls[:, j] * FINER ** (1 / degree)
     return finer
+
+
+GROWTH_FAILS = Hypothesis(
+    "the running cost grows no faster with an unbounded control than the dynamics do",
+    lambda p: bool(_impulsive_degrees(p)),
+)
+IMPULSES = Refusal(
+    "impulses",
+    "Ever shorter and larger controls cost ever less, and the infimum is not attained.",
+    "Tonelli's condition for existence; Cesari, Optimization: Theory and Applications, 1983",
+    (GROWTH_FAILS,),
+    Unbounded,
+    _refuse_impulses,
+)

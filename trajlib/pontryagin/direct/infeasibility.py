@@ -6,8 +6,6 @@
    value beyond them, it cannot be reached.
 2. *An uncontrollable quantity.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0 for all
    k: it follows the free motion. If this is not q^T d, the target cannot be reached.
-3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of a
-   hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that minimises it.
 
 Contradictory linear terminal equations are refused too. Angles count as vectors in discs
 (`angle_relaxation`): a plant that is linear in cos u and sin u is linear here. Quantities of other
@@ -17,10 +15,16 @@ plants that no control changes: `first_integrals`.
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.direct.free_motion import refuse_missed_target
-from trajlib.pontryagin.direct.uncontrollable_modes import refuse_uncontrollable_modes
+from trajlib.pontryagin.direct.free_motion import MISSED_TARGET
+from trajlib.pontryagin.direct.uncontrollable_modes import UNCONTROLLABLE_MODES
 from trajlib.pontryagin.problem.errors import Infeasible
-from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.hypotheses import (
+    GIVEN_START,
+    LINEAR_TARGET,
+    RELAXABLE,
+    RELAXED_LINEAR_PLANT,
+)
+from trajlib.pontryagin.problem.steps import Refusal
 
 # Margin by which a value counts as beyond a bound, relative to the size of the values.
 MARGIN = 1e-9
@@ -28,15 +32,8 @@ MARGIN = 1e-9
 ROUNDING = 1e-12
 
 
-def refuse_infeasible(numeric: NumericProblem) -> None:
-    """Raise `Infeasible` for an empty target, or by a monotone or uncontrollable quantity."""
-    target = _linear_target(numeric.problem)
-    if target is None:
-        return
-    G, d = target
-    _refuse_contradiction(G, d)
-    if numeric.angle_relaxation is None or np.isnan(numeric.start).any():
-        return
+def _refuse_monotone_quantity(numeric):
+    G, d = linear_target(numeric.problem)
     for p, mu, drift, gains in _quantities(numeric):
         weights, *_ = np.linalg.lstsq(G.T, p, rcond=None)
         if np.max(np.abs(G.T @ weights - p)) > ROUNDING * np.max(np.abs(p)):
@@ -72,36 +69,10 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
                 f"{limit}{when}, whatever the control; the target asks for {required:.6g}. The "
                 "target cannot be reached from this start."
             )
-    _refuse_unmoved(numeric)
 
 
-def refuse_ends_beyond_constraints(numeric: NumericProblem) -> None:
-    """Raise `Infeasible` if a given initial or final state violates an inequality."""
-    problem = numeric.problem
-    start = {y: value for y, value in problem.initial.items() if value is not None}
-    end = {
-        y: value
-        for y in problem.state
-        for g in problem.terminal
-        for value in (y - g, y + g)
-        if value.is_number
-    }
-    relations = [("initial", start, relation) for relation in problem.path]
-    relations += [
-        ("final", end, relation) for relation in (*problem.path, *problem.terminal_inequalities)
-    ]
-    for name, values, relation in relations:
-        value = relation.lhs.subs(values)
-        size = max((abs(float(v)) for v in values.values()), default=0.0)
-        if value.is_number and float(value) > MARGIN * (1 + size):
-            raise Infeasible(
-                f"the {name} state violates the constraint {relation}: its left-hand side is "
-                f"{float(value):.6g}"
-            )
-
-
-def _refuse_contradiction(G, d):
-    """Raise `Infeasible` if G y = d for no y."""
+def _refuse_contradiction(numeric):
+    G, d = linear_target(numeric.problem)
     nearest, *_ = np.linalg.lstsq(G, d, rcond=None)
     if np.max(np.abs(G @ nearest - d)) > MARGIN * np.max(np.abs(d)):
         raise Infeasible(
@@ -110,15 +81,9 @@ def _refuse_contradiction(G, d):
         )
 
 
-def _refuse_unmoved(numeric):
-    """Raise `Infeasible` if an uncontrollable combination of the target's equations fails."""
+def _refuse_uncontrollable_quantity(numeric):
     problem = numeric.angle_relaxation.problem
-    plant = _linear_plant(problem)
-    if plant is None:
-        return
-    if numeric.duration is None:
-        refuse_uncontrollable_modes(numeric, problem)
-    A, _B, c = plant
+    A, _B, c = linear_plant(problem)
     state, n = sp.Matrix(problem.state), numeric.n
     G = sp.Matrix(problem.terminal).jacobian(problem.state)
     d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
@@ -147,8 +112,6 @@ def _refuse_unmoved(numeric):
                 "pair (A, B) of the plant is not controllable; choose an end that keeps to this "
                 "combination."
             )
-    if duration is None:
-        refuse_missed_target(numeric, problem)
 
 
 def _exact_powers(problem):
@@ -169,42 +132,7 @@ def _free_motion(A, c, start, duration):
     return (expm(extended * duration) @ np.append(start, 1.0))[:-1]
 
 
-def is_separated(numeric, duration, final_state):
-    """Check whether a hyperplane separates the target from all states reachable at a time.
-
-    `final_state`: the reachable state closest to the target. A proof for linear plants and targets;
-    False elsewhere, and where the separation is not clear of errors of integration.
-    """
-    target = _linear_target(numeric.problem)
-    plant = _linear_plant(numeric.angle_relaxation.problem) if numeric.angle_relaxation else None
-    if target is None or plant is None or np.isnan(numeric.start).any():
-        return False
-    from scipy.linalg import expm
-
-    G, d = target
-    A, B, c = plant
-    residual = G @ final_state - d
-    n, panels = len(A), 2000
-    # psi(T - s) = e^(A^T s) G^T q on a grid; (c, 1) as a further state of the plant.
-    extended = np.zeros((n + 1, n + 1))
-    extended[:n, :n], extended[:n, n] = A, c
-    step, row = expm(extended * duration / panels), np.append(residual @ G, 0.0)
-    rows = [row]
-    for _ in range(panels):
-        row = row @ step
-        rows.append(row)
-    least = numeric.angle_relaxation.least(np.array(rows)[:, :n] @ B)
-    if not np.isfinite(least).all():
-        return False  # a control without bounds leads beyond every hyperplane
-    gap = (
-        rows[-1] @ np.append(numeric.start, 1.0)
-        - residual @ d
-        + duration * (np.sum(least) - (least[0] + least[-1]) / 2) / panels
-    )
-    return bool(np.isfinite(gap) and gap > 0.1 * residual @ residual > 0)
-
-
-def _linear_target(problem):
+def linear_target(problem):
     """Return (G, d) of the terminal equations G y = d, or None."""
     if not problem.terminal:
         return None
@@ -215,7 +143,7 @@ def _linear_target(problem):
     return np.array(G.evalf(), dtype=float), np.array(d.evalf(), dtype=float).ravel()
 
 
-def _linear_plant(problem):
+def linear_plant(problem):
     """Return (A, B, c) of the plant y' = A y + B u + c, or None."""
     slopes = sp.Matrix(problem.field).jacobian([*problem.state, *problem.control])
     if slopes.free_symbols:
@@ -228,7 +156,7 @@ def _linear_plant(problem):
 def _quantities(numeric):
     """Yield (p, mu, drift, gains) of quantities l = p^T y with l' = mu l + drift + gains^T u."""
     problem, n = numeric.angle_relaxation.problem, numeric.n
-    plant = _linear_plant(problem)
+    plant = linear_plant(problem)
     if plant is not None:
         A, B, c = plant
         for mu, p in zip(*(values.T for values in np.linalg.eig(A.T))):
@@ -269,3 +197,39 @@ def _after(value, mu, drift, time):
         growth = mu * value + drift
         return -drift / mu if mu < 0 else value if growth == 0 else np.copysign(np.inf, growth)
     return value * np.exp(mu * time) + drift * (np.expm1(mu * time) / mu if mu else time)
+
+
+CONTRADICTION = Refusal(
+    "contradictory terminal equations",
+    "No state satisfies linear terminal equations of which a combination is 0 = 1.",
+    "linear algebra",
+    (LINEAR_TARGET,),
+    Infeasible,
+    _refuse_contradiction,
+)
+MONOTONE_QUANTITY = Refusal(
+    "monotone quantity",
+    "p^T y with (p^T y)' = mu p^T y + g(u) stays between its values for the least and greatest g, "
+    "and the target lies beyond them.",
+    "trajlib.pontryagin.direct.infeasibility, 1",
+    (LINEAR_TARGET, GIVEN_START, RELAXABLE),
+    Infeasible,
+    _refuse_monotone_quantity,
+)
+UNCONTROLLABLE_QUANTITY = Refusal(
+    "uncontrollable quantity",
+    "q^T y with q^T A^k B = 0 for all k follows the free motion, and the target asks for another "
+    "value.",
+    "Kalman 1960; trajlib.pontryagin.direct.infeasibility, 2",
+    (LINEAR_TARGET, GIVEN_START, RELAXED_LINEAR_PLANT),
+    Infeasible,
+    _refuse_uncontrollable_quantity,
+)
+# All that is proved from linear terminal equations before any search, in this order.
+LINEAR_TARGETS = (
+    CONTRADICTION,
+    MONOTONE_QUANTITY,
+    UNCONTROLLABLE_MODES,
+    UNCONTROLLABLE_QUANTITY,
+    MISSED_TARGET,
+)

@@ -1,22 +1,21 @@
 """Discrete solutions from several starting guesses, or the reason why there is none."""
 
-import time
 from dataclasses import dataclass
 from functools import cache
 from itertools import islice, zip_longest
 
 import numpy as np
 
-from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import descend
-from trajlib.pontryagin.direct.free_duration import FALLS, least_time
+from trajlib.pontryagin.direct.free_duration import FALLS
 from trajlib.pontryagin.direct.guesses import (
     oscillating_guesses,
     random_guesses,
     starting_guesses,
     target_sides,
 )
-from trajlib.pontryagin.direct.infeasibility import is_separated
+from trajlib.pontryagin.direct.other_sides import guesses_on_other_sides
+from trajlib.pontryagin.direct.refusals import WITHOUT_SOLUTION
 from trajlib.pontryagin.direct.transcription import (
     INTERVALS,
     PATIENCE,
@@ -24,9 +23,10 @@ from trajlib.pontryagin.direct.transcription import (
     Transcription,
 )
 from trajlib.pontryagin.problem.arcs import arc_name
-from trajlib.pontryagin.problem.errors import Infeasible, NotConverged, Unbounded
-from trajlib.pontryagin.problem.numeric import NumericProblem
-from trajlib.pontryagin.verification.optimality import sufficiency_theorem, target_can_be_held
+from trajlib.pontryagin.problem.errors import NotConverged
+from trajlib.pontryagin.problem.log import current_log
+from trajlib.pontryagin.problem.time_limit import half_is_over
+from trajlib.pontryagin.verification.optimality import sufficiency_theorem
 
 # Several guesses are compared on fewer intervals; solutions within this share of the best cost are
 # refined.
@@ -34,6 +34,8 @@ COARSE, CLOSE = 30, 0.05
 # Most iterations on many intervals from a solution on few; how many guesses of several kinds in a
 # row have to lead to one process to be enough.
 REFINING, AGREEING = 80, 3
+# How many guesses on other sides of obstacles are tried, at most.
+OTHER_SIDES = 12
 # How often oscillations are tried again in the duration of the best process found.
 OSCILLATIONS = 4
 
@@ -60,52 +62,85 @@ class SearchResult:
     coarse_durations: list[float]
 
 
-def search(
-    numeric: NumericProblem, guess=None, structure=None, starts=None, time_limit=None
-) -> SearchResult:
-    """Search for discrete solutions over the sides of the target.
+class Multistart:
+    """The search for discrete solutions: guesses tried, failures, least distance from the target.
 
-    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
-    given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
-    solutions are refined. `starts`: so many guesses on each side; by default until AGREEING in a
-    row lead to one process. `time_limit`: seconds after which no further guess is tried. Raises
-    `PontryaginError` with the reason if there is no solution.
+    Parameters
+    ----------
+    numeric : NumericProblem
+        The problem.
+    structure : list of tuple of str, optional
+        Kinds of the arcs.
+    count : int, optional
+        So many guesses on each side of the target; by default until AGREEING in a row lead to one
+        process.
+
+    Attributes
+    ----------
+    starts : int
+        Number of guesses tried so far.
+    best : DirectSolution or None
+        The solution of least cost found so far.
     """
-    multistart = _Multistart(numeric, structure, starts, time_limit)
-    single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
-    solutions = []
-    for side in target_sides(numeric):
-        solutions += (
-            multistart.first_solution(side, guess) if single else multistart.best_solutions(side)
-        )
-    if not solutions:
-        multistart.raise_reason()
-    # Where a theorem makes every extremal optimal there are no saddles.
-    if not multistart.convex and structure is None:
-        solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
-    solutions.sort(key=lambda pair: pair[0].cost)
-    return SearchResult(
-        solutions, multistart.starts, max(multistart.processes, 1), multistart.coarse_durations
-    )
 
-
-class _Multistart:
-    """The guesses tried, the failures, and the least distance from the target."""
-
-    def __init__(self, numeric, structure, count=None, time_limit=None):
+    def __init__(self, numeric, structure=None, count=None):
         self.numeric, self.structure, self.count = numeric, structure, count
-        self.deadline = time.monotonic() + (np.inf if time_limit is None else time_limit)
         self.failures, self.closest, self.starts, self.processes = [], np.inf, 0, 0
         self.nearest, self.convex = None, sufficiency_theorem(numeric.problem) is not None
-        self.coarse_durations = []
+        self.coarse_durations, self.best, self.noted = [], None, 0
+
+    def search(self, guess=None) -> SearchResult:
+        """Return the discrete solutions over the sides of the target.
+
+        Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
+        given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
+        solutions are refined; with a solution, no further guess is tried after half of the time.
+        Raises `PontryaginError` with the reason if there is no solution.
+        """
+        numeric, solutions = self.numeric, []
+        single = guess is not None or self.structure is not None or self.convex
+        for side in target_sides(numeric):
+            solutions += self.first_solution(side, guess) if single else self.best_solutions(side)
+        if not solutions:
+            self.raise_reason()
+        # Where a theorem makes every extremal optimal there are no saddles.
+        if not self.convex and self.structure is None:
+            solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
+        solutions.sort(key=lambda pair: pair[0].cost)
+        return SearchResult(solutions, self.starts, max(self.processes, 1), self.coarse_durations)
 
     def solve(self, programme, start):
         """Return the solution found from a guess in a list; a failure is noted."""
         result = programme.solve(start)
         if isinstance(result, DirectSolution):
+            if self.best is None or result.cost < self.best.cost:
+                self.best = result
+            self._log(programme, self._shown(result), result)
             return [result]
         self.failures.append(result)
+        self._log(programme, result.status)
         return []
+
+    def _log(self, programme, outcome, solution=None):
+        """Note what came of a guess; the first programme that sees a start counts as its own."""
+        new, self.noted = self.starts > self.noted, self.starts
+        state = f"{self.starts} {'start' if self.starts == 1 else 'starts'}"
+        if self.best is not None:
+            state += f", best cost {self.numeric.user_cost(self.best.cost):.6g}"
+        log = current_log()
+        log.note(
+            "start" if new else "grid",
+            f"{f'start {self.starts}' if new else 'again'} on {programme.N} intervals: {outcome}",
+            None if solution is None else float(self.numeric.user_cost(solution.cost)),
+        )
+        log.show("start", state)
+
+    def _shown(self, solution):
+        numeric = self.numeric
+        return (
+            f"cost {numeric.user_cost(solution.cost):.6g}, "
+            f"duration {numeric.user_time(solution.duration):.6g}"
+        )
 
     def first_solution(self, side, guess):
         """Return the first solution, from the guess or from the likeliest guesses, in a list."""
@@ -143,8 +178,10 @@ class _Multistart:
             coarse_solutions = self._distinct_solutions(fine, self._diverse_guesses(side))
             if not coarse_solutions and not ladder_tried and not self.divergence():
                 coarse_solutions = self._distinct_solutions(fine, self.process_to_target(side))
-        if point and len(coarse_solutions) > 1 and time.monotonic() < self.deadline:
+        if point and len(coarse_solutions) > 1 and not half_is_over():
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
+        if coarse_solutions and numeric.path_orders:
+            coarse_solutions = self._with_other_sides(coarse, coarse_solutions)
         self.processes += len(coarse_solutions)
         fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
 
@@ -201,7 +238,7 @@ class _Multistart:
         """
         solutions, repeats = [], 0
         for start in islice(starts, self.count):
-            if time.monotonic() > self.deadline:
+            if solutions and half_is_over():
                 break
             self.starts += 1
             for solution in self.solve(programme, start):
@@ -223,11 +260,26 @@ class _Multistart:
                 for sign in (1, -1)
                 for start in oscillating_guesses(self.numeric, COARSE, best.duration, sign)
             ]
-            self.starts += len(starts)
-            candidates = [solution for start in starts for solution in self.solve(programme, start)]
+            candidates = []
+            for start in starts:
+                self.starts += 1
+                candidates += self.solve(programme, start)
             solutions = _distinct([*solutions, *candidates])
             if solutions[0].cost >= best.cost - FALLS * abs(best.cost):
                 break
+        return solutions
+
+    def _with_other_sides(self, programme, solutions):
+        """Return the solutions with those that pass obstacles on their other sides."""
+        tried, starts = [], 0
+        while untried := [s for s in solutions if not any(s is other for other in tried)]:
+            tried.append(untried[0])
+            for start in guesses_on_other_sides(self.numeric, untried[0]):
+                if starts == OTHER_SIDES or half_is_over():
+                    return solutions
+                starts += 1
+                self.starts += 1
+                solutions = _distinct([*solutions, *self.solve(programme, start)])
         return solutions
 
     def process_to_target(self, side):
@@ -253,6 +305,11 @@ class _Multistart:
                 result = programme.solve(guess, duration)
                 if isinstance(result, DirectSolution):
                     distance = float(np.sqrt(max(result.cost, 0.0)))
+                    current_log().note(
+                        "grid",
+                        f"distance {distance:.2g} from the target in the time "
+                        f"{numeric.user_time(duration):.6g}",
+                    )
                     if distance < self.closest:
                         self.closest, self.nearest = distance, (duration, result.states[-1])
                     if distance < 1e-4:
@@ -288,66 +345,37 @@ class _Multistart:
                 return failure
         return None
 
+    @property
+    def distance_text(self):
+        """How near to the target the search came; empty where it was not missed."""
+        if not 1e-4 < self.closest < np.inf:
+            return ""
+        return (
+            f"the terminal equations are missed by {self.closest:.3g} at least (least distance "
+            "found, by local search)"
+        )
+
     def raise_reason(self):
         """Raise the reason why no solution was found."""
-        numeric, failure = self.numeric, self.divergence()
-        if time.monotonic() > self.deadline:
-            raise NotConverged(
-                f"no process that ends on the target was found within the time limit, from "
-                f"{self.starts} starts. Nothing is proved by that: allow more time, or give a guess."
-            )
-        if failure:
-            raise Unbounded(
-                f"the cost falls without bound (it passed {numeric.user_cost(failure.cost):.3g}): "
-                "there is no optimal process. Check the sign of the cost, bound the controls, or "
-                "fix the duration."
-            )
+        numeric = self.numeric
+        for refusal in WITHOUT_SOLUTION:
+            refusal.check(numeric, self)
         arcs = (
             f" with the arcs {', '.join(map(arc_name, self.structure))}" if self.structure else ""
         )
-        distance_text = (
-            f"the terminal equations are missed by {self.closest:.3g} at least (least distance "
-            "found, by local search)"
-            if 1e-4 < self.closest < np.inf
-            else ""
-        )
-        refuse_degenerate_target(numeric, next(iter(starting_guesses(numeric, INTERVALS)))[1])
-        if distance_text and not arcs:
-            self._refuse_separated(distance_text)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""
         longest = (
             f" that lasts {numeric.user_time(numeric.longest):g} at most"
             if numeric.duration is None and not numeric.time_bounds_given
             else ""
         )
+        distance = self.distance_text and f"; {self.distance_text}"
         raise NotConverged(
             f"no process{arcs}{longest} that ends on the target was found from {self.starts} starts"
-            f"{'; ' + distance_text if distance_text else ''} (IPOPT{status}). Nothing is proved by that: give a "
+            f"{distance} (IPOPT{status}). Nothing is proved by that: give a "
             "guess for the duration and the states, or look whether the problem has a solution at "
             "all."
         )
-
-    def _refuse_separated(self, distance_text):
-        """Raise `Infeasible` if the target is separated from all states reachable in the time."""
-        numeric, (duration, end) = self.numeric, self.nearest
-        longest = numeric.duration if numeric.duration is not None else numeric.longest
-        if duration != longest or (
-            numeric.duration is None and not target_can_be_held(numeric.problem)
-        ):
-            return
-        if not is_separated(numeric, duration, end):
-            return
-        text = (
-            f"no admissible control leads to the target in the time {numeric.user_time(duration):.6g}: a costate "
-            f"separates it from all states that can be reached; {distance_text}"
-        )
-        shortest = least_time(numeric) if numeric.duration is not None else None
-        if shortest is not None and shortest > numeric.duration:
-            raise Infeasible(
-                f"the duration {numeric.user_time(duration):.6g} is too short: the least time in which the target is "
-                f"reached is {numeric.user_time(shortest):.6g}. {text[0].upper() + text[1:]}."
-            )
-        raise Infeasible(text + ". Try another duration, or a free one.")
 
 
 def _distinct(solutions):

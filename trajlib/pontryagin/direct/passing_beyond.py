@@ -6,19 +6,17 @@ nodes alone keep to it.
 
 import numpy as np
 
-from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.problem.errors import NotConverged
-from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
+from trajlib.pontryagin.problem.hypotheses import PATH
+from trajlib.pontryagin.problem.numeric import runge_kutta
+from trajlib.pontryagin.problem.steps import Refusal
 
 # Steps into which an interval is cut, and the excess, as a share of the distance of the ends from
 # the boundary, that is no error of the discretisation.
 STEPS, EXCESS = 16, 0.02
 
 
-def refuse_passing_beyond(numeric: NumericProblem, solution: DirectSolution) -> None:
-    """Raise `NotConverged` if a solution violates a path constraint between its nodes."""
-    if not numeric.path_orders:
-        return
+def _refuse_passing_beyond(numeric, solution, _side):
     step = runge_kutta(numeric).map(len(solution.controls))
     states, widths, samples = solution.states[:-1].T, np.diff(solution.times), []
     for _ in range(STEPS):
@@ -34,3 +32,13 @@ def refuse_passing_beyond(numeric: NumericProblem, solution: DirectSolution) -> 
                 "to it at their nodes, and pass beyond it between them. Nothing is proved by that: "
                 "give a guess, or look whether any process can keep to it."
             )
+
+
+PASSING_BEYOND = Refusal(
+    "discrete solutions that pass beyond a path constraint",
+    "They keep to it at their nodes and violate it between them, so that no process was found.",
+    "integration between the nodes",
+    (PATH,),
+    NotConverged,
+    _refuse_passing_beyond,
+)

@@ -15,19 +15,20 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.direct.descent import solution_from_controls
 from trajlib.pontryagin.direct.transcription import DirectSolution, Transcription
 from trajlib.pontryagin.problem.errors import Unbounded
+from trajlib.pontryagin.problem.hypotheses import NO_PATH, NONLINEAR_HAMILTONIAN
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.steps import Refusal
 
 # Gain of the relaxed problem, as a share of the cost, and share of the intervals on which both
 # values are used, from which on it counts.
 GAIN, USED = 1e-3, 0.1
 
 
-def relaxed_solution(numeric, solution, side):
+def _relaxed_solution(numeric, solution, side):
     """Return the relaxed problem's solution with controls (u, v, a), or None without a gain."""
-    if all(numeric.affine):
-        return None
     problem = numeric.problem
     second = {u: sp.Dummy(f"{u}_2") for u in problem.control}
     share = sp.Dummy("share")
@@ -68,7 +69,7 @@ def relaxed_solution(numeric, solution, side):
     return result if _mixing(result.controls, numeric.k).mean() > USED else None
 
 
-def sequential_controls(numeric, relaxed):
+def _sequential_controls(numeric, relaxed):
     """Return controls (N, k) that take the two values of a relaxed solution one after the other.
 
     Where the cost does not ask for both at once, such a process is as good.
@@ -85,14 +86,20 @@ def sequential_controls(numeric, relaxed):
     return np.where(chosen[:, None], first, second)
 
 
-def refuse_sliding(numeric, solution, relaxed, sequential):
+def _refuse_sliding(numeric, solution, side):
     """Raise `Unbounded`: ever faster switching seems to approach the relaxed infimum.
 
-    Not if the solution `sequential`, found from the `sequential_controls`, comes as close to it as
-    a discrete solution can.
+    Not if the solution found from the sequential controls comes as close to it as a discrete
+    solution can: then this is returned, to be tried in place of the first.
     """
+    relaxed = _relaxed_solution(numeric, solution, side)
+    if relaxed is None:
+        return None
+    sequential = solution_from_controls(
+        numeric, relaxed, side, _sequential_controls(numeric, relaxed)
+    )
     if sequential and sequential.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
-        return
+        return sequential
     sign = -1 if numeric.problem.maximise else 1
     k, mixing = numeric.k, _mixing(relaxed.controls, numeric.k)
     middle = np.nonzero(mixing)[0][mixing.sum() // 2]
@@ -122,3 +129,14 @@ def _mixing(controls, k):
         & (share < 0.98)
         & (distance > 0.05 * max(np.ptp(controls[:, : 2 * k]), 1e-12))
     )
+
+
+SLIDING = Refusal(
+    "sliding regime",
+    "Ever faster switching between two values approaches the infimum of the relaxed problem, which "
+    "no process attains.",
+    "Gamkrelidze 1962; Young 1969, generalised curves",
+    (NO_PATH, NONLINEAR_HAMILTONIAN),
+    Unbounded,
+    _refuse_sliding,
+)

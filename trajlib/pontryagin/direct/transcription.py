@@ -12,6 +12,7 @@ import numpy as np
 
 from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
+from trajlib.pontryagin.problem.time_limit import seconds_left, stopped_from_within
 
 # Intervals of a discrete solution.
 INTERVALS = 80
@@ -171,12 +172,12 @@ class Transcription:
         }
         if near:
             options["ipopt.adaptive_mu_globalization"] = "kkt-error"
-        self.solver = ca.nlpsol(
-            "transcription",
-            "ipopt",
-            {"x": ca.veccat(X, U, D), "f": cost, "g": ca.vertcat(*(e for e, _, _ in parts))},
-            options,
-        )
+        nlp = {"x": ca.veccat(X, U, D), "f": cost, "g": ca.vertcat(*(e for e, _, _ in parts))}
+        if seconds_left() < np.inf:
+            # A limit among IPOPT's own options would count from each call.
+            self.stop = stop_in_time(nlp["x"].numel(), nlp["g"].numel())
+            options["iteration_callback"] = self.stop
+        self.solver = ca.nlpsol("transcription", "ipopt", nlp, options)
 
     def _control_bounds(self):
         lower, upper = (np.tile(b, (self.N, 1)) for b in (self.numeric.lower, self.numeric.upper))
@@ -219,7 +220,8 @@ class Transcription:
                 np.full(self.arc_count, guessed_duration / self.arc_count),
             ]
         )
-        result = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
+        with stopped_from_within():
+            result = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
         z, dual = (result[name].full().ravel() for name in ("x", "lam_g"))
         states, lengths = z[: n * (N + 1)].reshape(N + 1, n), z[n * (N + 1) + k * N :]
         status = self.solver.stats()["return_status"]
@@ -261,6 +263,36 @@ class Transcription:
             dual[self.end_offset :],
         )
         return solution if solved else replace(failure, last=solution)
+
+
+def stop_in_time(variables: int, constraints: int):
+    """Return a CasADi callback by which IPOPT stops between two iterations when the time is over."""
+
+    class Stop(ca.Callback):  # type: ignore[name-defined]
+        def __init__(self):
+            ca.Callback.__init__(self)
+            self.construct("stop", {})
+
+        def get_n_in(self):
+            return ca.nlpsol_n_out()
+
+        def get_n_out(self):
+            return 1
+
+        def get_sparsity_in(self, i):
+            sizes = {
+                "f": 1,
+                "x": variables,
+                "lam_x": variables,
+                "g": constraints,
+                "lam_g": constraints,
+            }
+            return ca.Sparsity.dense(sizes.get(ca.nlpsol_out(i), 0), 1)
+
+        def eval(self, arguments):
+            return [float(seconds_left() == 0)]
+
+    return Stop()
 
 
 def path_rows(numeric: NumericProblem, intervals: int) -> np.ndarray:

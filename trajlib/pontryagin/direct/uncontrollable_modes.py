@@ -12,17 +12,21 @@ import numpy as np
 import sympy as sp
 
 from trajlib.pontryagin.problem.errors import Infeasible
+from trajlib.pontryagin.problem.hypotheses import (
+    FREE_TIME,
+    GIVEN_START,
+    LINEAR_TARGET,
+    RELAXED_LINEAR_PLANT,
+)
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.steps import Refusal
 
 # Relative difference of times, or of values, that counts as one.
 MARGIN = 1e-9
 
 
-def refuse_uncontrollable_modes(numeric: NumericProblem, problem) -> None:
-    """Raise `Infeasible` if uncontrollable modes with a real eigenvalue keep off the target.
-
-    `problem`: a linear plant with linear terminal equations, the initial state being given.
-    """
+def _refuse_uncontrollable_modes(numeric: NumericProblem) -> None:
+    problem = numeric.angle_relaxation.problem
     times: list[tuple[float, str]] = []
     for p, mu, required in _prescribed_modes(problem):
         y, t = sp.Matrix(problem.state), sp.Symbol("t", positive=True)
@@ -93,3 +97,14 @@ def _time(start, required, mu, drift):
         return (required - start) / drift
     ratio = required / start
     return float(np.log(ratio) / mu) if ratio > 0 else np.nan
+
+
+UNCONTROLLABLE_MODES = Refusal(
+    "uncontrollable modes",
+    "p^T y with p^T A = mu p^T and p^T B = 0 is a known function of time, which is as the target "
+    "asks at no time, or at another than a second one.",
+    "Popov-Belevitch-Hautus test; trajlib.pontryagin.direct.uncontrollable_modes",
+    (FREE_TIME, LINEAR_TARGET, GIVEN_START, RELAXED_LINEAR_PLANT),
+    Infeasible,
+    _refuse_uncontrollable_modes,
+)

@@ -3,11 +3,14 @@
 from dataclasses import dataclass, fields
 
 import numpy as np
+import sympy as sp
 
+from trajlib.pontryagin.direct.process import DirectProcess
 from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.problem.arcs import KINDS
 from trajlib.pontryagin.problem.errors import WrongStructure
-from trajlib.pontryagin.problem.state_bounds import StateBounds
+from trajlib.pontryagin.problem.state_bounds import StateBounds, with_constant_bounds
+from trajlib.pontryagin.problem.steps import Hypothesis, Reformulation
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,8 +42,7 @@ class BoundedExtremal(Extremal):
     def control(self, t):
         """Return the controls at given times, as `Extremal.control`."""
         times = self._times(t)
-        offset, factor = self.bounds.values(self.state(times))
-        values = offset + factor * self.inner.control(times)
+        values = _restored_controls(self.bounds, self.state(times), self.inner.control(times))
         return values[:, 0] if np.ndim(t) == 0 else values
 
     def switching(self, t):
@@ -56,7 +58,7 @@ class BoundedExtremal(Extremal):
         return self.inner.optimality
 
 
-def restore_bounds(bounds: StateBounds, extremal: Extremal) -> BoundedExtremal:
+def _restore_bounds(bounds: StateBounds, extremal: Extremal) -> BoundedExtremal:
     """Return the extremal of the original problem."""
     values = {f.name: getattr(extremal, f.name) for f in fields(Extremal)}
     turned = [factor == -1 for factor in bounds.factors]
@@ -66,7 +68,7 @@ def restore_bounds(bounds: StateBounds, extremal: Extremal) -> BoundedExtremal:
     )
 
 
-def inner_structure(bounds: StateBounds, structure):
+def _inner_structure(bounds: StateBounds, structure):
     """Return the arcs of the controls v for arcs of the original."""
     if structure is None or isinstance(structure, str):
         return structure
@@ -74,10 +76,10 @@ def inner_structure(bounds: StateBounds, structure):
     return [_kind(kind, turned) for kind in structure]
 
 
-def inner_guess(bounds: StateBounds, guess):
+def _inner_guess(bounds: StateBounds, guess):
     """Return a guess for the controls v; only an extremal, a duration and states are of use."""
-    if isinstance(guess, BoundedExtremal):
-        return guess.inner
+    if isinstance(guess, (BoundedExtremal, DirectProcess)):
+        return guess.inner or guess
     if isinstance(guess, dict) and set(guess) & set(bounds.original.control):
         raise ValueError(
             "guess: with bounds that depend on the state expected the duration and states only"
@@ -93,3 +95,29 @@ def _kind(kind, turned):
     exchange = {"u-": "u+", "u+": "u-"}
     result = tuple(exchange.get(k, k) if t else k for k, t in zip(kinds, turned))
     return result[0] if isinstance(kind, str) else result
+
+
+def _restored_controls(bounds, states, controls):
+    offset, factor = bounds.values(states)
+    return offset + factor * controls
+
+
+def _description(bounds):
+    pairs = zip(bounds.original.control, bounds.offsets, bounds.factors, bounds.problem.controls)
+    return ", ".join(
+        f"{u} = {offset + factor * sp.Symbol(v.name)}" for u, offset, factor, v in pairs if u != v
+    )
+
+
+STATE_BOUNDS = Reformulation(
+    "bounds that depend on the state",
+    "a(y) <= u <= b(y) becomes u = a + (b - a) v with 0 <= v <= 1; the costate stays the same.",
+    "trajlib.pontryagin.problem.state_bounds",
+    (Hypothesis("a bound of a control contains a state", lambda p: p.bounds_depend_on_state),),
+    with_constant_bounds,
+    _inner_structure,
+    _inner_guess,
+    _restore_bounds,
+    _restored_controls,
+    _description,
+)

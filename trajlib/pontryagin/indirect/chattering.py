@@ -19,9 +19,11 @@ from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.accumulation import estimate_accumulation
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.errors import Chattering, WrongStructure
+from trajlib.pontryagin.problem.hypotheses import LINEAR_BETWEEN_BOUNDS
+from trajlib.pontryagin.problem.steps import Refusal
 
 
-def refuse_chattering(numeric, arcs, end, duration):
+def _refuse_chattering(numeric, arcs, end, duration):
     """Raise `Chattering` if the arcs reach a singular arc that bang arcs cannot join.
 
     `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. At a
@@ -119,3 +121,13 @@ def _rests_on_arc(numeric, flow, j, end):
     u = float(control.full()[j, 0])
     width = numeric.upper[j] - numeric.lower[j]
     return numeric.lower[j] + 1e-6 * width < u < numeric.upper[j] - 1e-6 * width
+
+
+CHATTERING = Refusal(
+    "chattering",
+    "A bang arc cannot join a singular arc of even order: the switchings accumulate.",
+    "Fuller 1963; McDanell and Powers 1971",
+    (LINEAR_BETWEEN_BOUNDS,),
+    Chattering,
+    _refuse_chattering,
+)

@@ -102,7 +102,7 @@ def compare(
             )
     if not extremals:
         raise PontryaginError(
-            "compare: none of the structures and guesses leads to an extremal: "
+            "none of the structures and guesses to compare leads to an extremal: "
             + "; ".join(reason for _, reason in refused)
         )
     return Comparison(

@@ -15,6 +15,7 @@ from trajlib.pontryagin.problem.arcs import Arc, boundary_constraint, boundary_k
 from trajlib.pontryagin.problem.errors import Chattering, NotUnique
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.state_constraints import constraint_derivatives
+from trajlib.pontryagin.problem.steps import Hypothesis, Refusal
 
 # Nodes up to which a contact may be a touch point; largest number of structures that are tried.
 TOUCHING, MOST = 3, 8
@@ -127,16 +128,8 @@ def with_boundary_labels(numeric, solution, columns, chosen):
         first, last = contact.first, contact.last
         if first == last:
             first, last = max(first - 1, 0), min(last + 1, N)
-        order = numeric.path_orders[contact.constraint]
-        if order > 2 and last - first > TOUCHING:
-            g = numeric.problem.path[contact.constraint]
-            raise Chattering(
-                f"{g} is a state constraint of order {order}: a boundary arc has "
-                f"{2 * order} conditions where it begins, more than two times and two jumps of the "
-                "costate can satisfy except by chance, and contacts with the boundary accumulate before "
-                "it. No list of arcs was found for this extremal. Bound a derivative of this quantity "
-                "instead, or put a penalty for it into the cost."
-            )
+        if last - first > TOUCHING:
+            HIGH_ORDER.check(numeric, contact.constraint)
         inside = slice(first, last)
         acting = _acting_controls(numeric, contact.constraint)
         free = [i for i in acting if np.mean([k == "between" for k in columns[i][inside]]) > 0.5]
@@ -152,6 +145,19 @@ def with_boundary_labels(numeric, solution, columns, chosen):
             )
         columns[free[0]][inside] = [boundary_kind(contact.constraint)] * (last - first)
     return [np.array(column, dtype=object) for column in columns]
+
+
+def _refuse_high_order(numeric, constraint):
+    order = numeric.path_orders[constraint]
+    if order > 2:
+        g = numeric.problem.path[constraint]
+        raise Chattering(
+            f"{g} is a state constraint of order {order}: a boundary arc has "
+            f"{2 * order} conditions where it begins, more than two times and two jumps of the "
+            "costate can satisfy except by chance, and contacts with the boundary accumulate before "
+            "it. No list of arcs was found for this extremal. Bound a derivative of this quantity "
+            "instead, or put a penalty for it into the cost."
+        )
 
 
 def _refuse_common_arc(numeric, contact, parts):
@@ -215,3 +221,17 @@ def jump_guess(solution: DirectSolution, constraint: int, time: float) -> float:
     step = solution.duration / len(solution.controls)
     near = np.abs(solution.times - time) <= 2.5 * step
     return float(solution.path_multipliers[near, constraint].sum())
+
+
+ORDER_ABOVE_TWO = Hypothesis(
+    "a path constraint has an order above two",
+    lambda p: any(len(constraint_derivatives(p, g)) > 3 for g in p.constraints),
+)
+HIGH_ORDER = Refusal(
+    "boundary arc of an order above two",
+    "It has more conditions at its beginning than unknowns: contacts with the boundary accumulate.",
+    "Robbins 1980",
+    (ORDER_ABOVE_TWO,),
+    Chattering,
+    _refuse_high_order,
+)

@@ -1,20 +1,24 @@
 """Extremals of a problem: evaluated at any time, certified, shown."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal, overload
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
 from trajlib.pontryagin.indirect.drawing import draw_extremal
 from trajlib.pontryagin.indirect.shooting import ShootingSolution
 from trajlib.pontryagin.problem.arcs import BOUNDARY, arc_latex
+from trajlib.pontryagin.problem.log import Log, current_log
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.times_of_process import times_of_process
 from trajlib.pontryagin.verification.certificate import Certificate, certify
 from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
-from trajlib.pontryagin.verification.proof import Proof, prove
 from trajlib.pontryagin.verification.second_variation import extremal_second_variation
+
+if TYPE_CHECKING:
+    from trajlib.pontryagin.verification.proof import Proof
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +43,8 @@ class Extremal:
         The largest residual of the boundary value problem that was solved.
     jumps : tuple of tuple
         (path constraint, time, nu) where the costate may jump: psi(t+0) = psi(t-0) + nu dg/dy.
+    log : Log
+        What `solve` tried: starting guesses, lists of arcs, Newton's residuals, with their times.
     """
 
     problem: Statement
@@ -54,6 +60,7 @@ class Extremal:
     _starts: int = 1
     _processes: int = 1
     _proof: str | None = None
+    log: Log = field(default_factory=current_log)
 
     @property
     def switching_times(self) -> tuple[float, ...]:
@@ -181,9 +188,9 @@ class Extremal:
     ) -> Certificate: ...
 
     @overload
-    def certificate(self, points: int | None = None, *, proved: Literal[True]) -> Proof: ...
+    def certificate(self, points: int | None = None, *, proved: Literal[True]) -> "Proof": ...
 
-    def certificate(self, points: int | None = None, proved: bool = False) -> Certificate | Proof:
+    def certificate(self, points: int | None = None, proved: bool = False) -> "Certificate | Proof":
         """Return evidence that this is an extremal, computed from the trajectory alone.
 
         Parameters
@@ -201,6 +208,8 @@ class Extremal:
             or the reason why there is none.
         """
         if proved:
+            from trajlib.pontryagin.verification.proof import prove
+
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
         residuals = self._residuals if points is None else self._certificate_at(points)
         return replace(residuals, optimality=self.optimality)
@@ -315,16 +324,7 @@ class Extremal:
         return result[:, 0] if np.ndim(t) == 0 else result
 
     def _times(self, t):
-        """Return times as an array, (N,). Raises ValueError for others than the process has."""
-        times = np.atleast_1d(np.asarray(t, dtype=float))
-        if times.ndim != 1:
-            raise ValueError(
-                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
-            )
-        slack = 1e-9 * self.duration
-        if not np.all((times >= -slack) & (times <= self.duration + slack)):
-            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
-        return np.clip(times, 0, self.duration)
+        return times_of_process(t, self.duration)
 
     def __repr__(self):
         shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)

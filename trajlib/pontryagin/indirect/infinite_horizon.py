@@ -15,11 +15,11 @@ from typing import Any, cast
 import numpy as np
 import sympy as sp
 
-from trajlib.feedback.quadratic_cost import lqr
 from trajlib.pontryagin.indirect.drawing import draw_extremal
 from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.problem.errors import PontryaginError, Unbounded
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.steps import Hypothesis, Method
 from trajlib.pontryagin.verification.certificate import certify
 
 # Time constants after which a decaying mode has vanished among rounding errors.
@@ -54,12 +54,15 @@ def solve_infinite_horizon(problem: Statement) -> Extremal:
     Raises `ValueError` for other problems, `Unbounded` if the cost has no lower bound, and
     `PontryaginError` if no law has the least cost for all initial states.
     """
+    # With it, all of the packages of filters and regulators are loaded.
+    from trajlib.feedback.quadratic_cost import lqr
+
     if problem.parameters:
         names = ", ".join(map(str, problem.parameters))
         raise ValueError(f"solve: no value for {names}; give values by problem.subs({{...}})")
     plant, convex = _read(problem)
     stable = bool(problem.terminal) or not convex
-    regulator = lqr(plant.A, plant.B, plant.G, plant.N, stable, cross=plant.C)
+    regulator = lqr(plant.A, plant.B, plant.G, plant.N, plant.C, stable=stable)
     if not regulator:
         error = PontryaginError if convex else Unbounded
         raise error(
@@ -241,3 +244,12 @@ def _exponentials(matrix, times):
             power = power @ power
         result[group] = power
     return result
+
+
+RICCATI = Method(
+    "Riccati equation",
+    "The stabilising solution of the Riccati equation gives the optimal law and the least cost.",
+    "Kalman 1960; trajlib.pontryagin.indirect.infinite_horizon",
+    (Hypothesis("the horizon is infinite", lambda p: p.duration == sp.oo),),
+    solve_infinite_horizon,
+)

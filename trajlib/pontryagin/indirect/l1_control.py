@@ -10,9 +10,11 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.direct.process import DirectProcess
 from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.problem.errors import WrongStructure
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.steps import Hypothesis, Reformulation
 
 REWARDED_MESSAGE = (
     "the cost rewards the absolute value of a control: p and q with u = p - q are positive at "
@@ -75,8 +77,8 @@ class L1Split:
 
     def guess(self, guess):
         """Return a guess for the pairs from one for the original."""
-        if isinstance(guess, SplitExtremal):
-            return guess.inner
+        if isinstance(guess, (SplitExtremal, DirectProcess)):
+            return guess.inner or guess
         if not isinstance(guess, dict):
             return guess
         result = {key: value for key, value in guess.items() if key not in self.pairs}
@@ -84,6 +86,17 @@ class L1Split:
             if u in guess:
                 result |= {part: _positive(guess[u], sign) for part, sign in zip(pair, (1, -1))}
         return result
+
+    def differences(self, values, factor=1.0):
+        """Return factor (p - q) for the rows of the pairs, and the other rows as they are."""
+        return np.array(
+            [
+                factor * (values[columns[0]] - values[columns[1]])
+                if len(columns) == 2
+                else values[columns[0]]
+                for columns in self.parts
+            ]
+        )
 
     def restore(self, extremal: Extremal) -> "SplitExtremal":
         """Return the extremal of the original from one of the pairs."""
@@ -95,11 +108,14 @@ class L1Split:
         return SplitExtremal(**values, inner=extremal, split=self)
 
 
-def split_l1_controls(problem: Statement) -> L1Split | None:
-    """Split the controls u with |u| in the running cost; return None if there are none."""
-    kinks = {e.args[0] for e in problem.running.atoms(sp.Abs)} & set(problem.control)
-    if not kinks:
-        return None
+def _kinks(problem):
+    """Return the controls u with |u| in the running cost."""
+    return {e.args[0] for e in problem.running.atoms(sp.Abs)} & set(problem.control)
+
+
+def split_l1_controls(problem: Statement) -> L1Split:
+    """Split the controls u with |u| in the running cost."""
+    kinks = _kinks(problem)
     values: dict = {}
     controls: dict = {}
     pairs: dict = {}
@@ -159,11 +175,11 @@ class SplitExtremal(Extremal):
 
     def control(self, t):
         """Return the controls p - q at given times, as `Extremal.control`."""
-        return self._joined(self.inner.control(t), lambda p, q: p - q)
+        return self.split.differences(self.inner.control(t))
 
     def switching(self, t):
         """Return the switching functions without the term of |u|."""
-        return self._joined(self.inner.switching(t), lambda p, q: (p - q) / 2)
+        return self.split.differences(self.inner.switching(t), 1 / 2)
 
     def certificate(self, points=None, proved=False):
         """Return evidence for the extremal of the pairs, as `Extremal.certificate`."""
@@ -174,17 +190,23 @@ class SplitExtremal(Extremal):
         """What is known of the extremal of the pairs, as `Extremal.optimality`."""
         return self.inner.optimality
 
-    def _joined(self, values, join):
-        return np.array(
-            [
-                join(*values[list(columns)]) if len(columns) == 2 else values[columns[0]]
-                for columns in self.split.parts
-            ]
-        )
-
 
 def _positive(value, sign):
     """Return the positive part of a guess or of its negative."""
     if callable(value):
         return lambda t: max(sign * float(value(t)), 0.0)
     return np.maximum(sign * np.asarray(value, dtype=float), 0.0)
+
+
+ABSOLUTE_VALUES = Reformulation(
+    "|u| in the running cost",
+    "u = p - q with p, q >= 0, and |u| = p + q.",
+    "trajlib.pontryagin.indirect.l1_control",
+    (Hypothesis("the running cost contains |u| of a control", lambda p: bool(_kinks(p))),),
+    split_l1_controls,
+    L1Split.structure,
+    L1Split.guess,
+    L1Split.restore,
+    lambda split, _states, controls: split.differences(controls),
+    lambda split: ", ".join(f"{u} = {p} - {q}" for u, (p, q) in split.pairs.items()),
+)

@@ -40,8 +40,10 @@ from trajlib.pontryagin.indirect.refinement import INTEGRATED, finer_steps, grow
 from trajlib.pontryagin.indirect.scaled_extremal import restore_units
 from trajlib.pontryagin.indirect.shooting import ShootingSolution
 from trajlib.pontryagin.problem.errors import Unbounded
+from trajlib.pontryagin.problem.hypotheses import GIVEN_TIME, UNBOUNDED_CONTROLS
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import units_of_process
+from trajlib.pontryagin.problem.steps import Hypothesis, Method
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem
 from trajlib.pontryagin.verification.second_variation import EXTRAPOLATED
 
@@ -63,10 +65,8 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     not be infeasible (`direct.infeasibility`). Raises `Unbounded` if the second variation is
     negative, or if the linear equations have no solution (`conjugate_end`).
     """
-    problem = numeric.problem
-    unbounded = all(pair == (-sp.oo, sp.oo) for pair in problem.controls.values())
-    duration = numeric.duration
-    if duration is None or not unbounded or not _is_linear_quadratic(problem):
+    problem, duration = numeric.problem, numeric.duration
+    if duration is None or not LINEAR_QUADRATIC.applies(problem):
         return None
     boundary = boundary_problem(problem)
     count = boundary and _segment_count(boundary.K, duration)
@@ -208,7 +208,7 @@ def _solved(boundary, duration, count, digits):
         step, matrix, right = linear_equations(boundary, duration, count)
         try:
             solution = mpmath.lu_solve(matrix, right)
-        except ZeroDivisionError:
+        except (ZeroDivisionError, TypeError):  # TypeError: mpmath's for a column of zeros
             return None
         path = [mpmath.matrix([*solution[:unknown], 1, 0])]
         for _ in range(count):
@@ -225,3 +225,19 @@ def _solved(boundary, duration, count, digits):
             np.array(list(solution[unknown:]), dtype=float),
             np.array([cost], dtype=float),
         )
+
+
+LINEAR_QUADRATIC = Method(
+    "linear-quadratic boundary value problem",
+    "The conditions of the maximum principle are linear equations; the second variation decides.",
+    "trajlib.pontryagin.indirect.linear_quadratic; Mangasarian 1966",
+    (
+        GIVEN_TIME,
+        UNBOUNDED_CONTROLS,
+        Hypothesis(
+            "the plant and the terminal equations are linear, and the cost is quadratic",
+            _is_linear_quadratic,
+        ),
+    ),
+    solve_linear_quadratic,
+)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from trajlib.pontryagin.indirect.valley import follow_valley
+from trajlib.pontryagin.problem.log import current_log
 
 # Size of cancelling terms up to which residuals are relative to them: the growth allowed on a
 # segment.
@@ -36,9 +37,11 @@ def newton(equations, z, iterations=80):
     if not np.isfinite(J).all():
         return z, np.inf, np.inf
     step = _least_squares(J, r, 1e-13)[equations.lengths]
+    residual = float(np.max(np.abs(r) / np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING)))
+    current_log().note("Newton", f"residual {residual:.1e}", residual)
     return (
         z,
-        float(np.max(np.abs(r) / np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
+        residual,
         float(np.max(np.abs(step)) / np.sum(z[equations.lengths])),
     )
 
@@ -46,9 +49,10 @@ def newton(equations, z, iterations=80):
 def _damped(equations, z, iterations):
     """Return (z, r, J) after damped steps, as long as the residual falls."""
     r, J = equations.residual(z)
-    sizes = []
+    sizes, log = [], current_log()
     for _ in range(iterations):
         sizes.append(np.linalg.norm(r))
+        log.show("Newton", f"residual {sizes[-1]:.1e}")
         if not np.isfinite(J).all() or sizes[-1] > STAGNATION * max(
             sizes[-PATIENCE - 1 : -PATIENCE], default=np.inf
         ):

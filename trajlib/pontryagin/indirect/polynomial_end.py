@@ -11,13 +11,15 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
+from trajlib.pontryagin.direct.infeasibility import LINEAR_TARGETS
 from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
 from trajlib.pontryagin.problem.errors import Infeasible, Unbounded
+from trajlib.pontryagin.problem.hypotheses import GIVEN_TIME, UNBOUNDED_CONTROLS
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import sizes
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.steps import Hypothesis, Method
 
 PROOF = "a linear plant, a convex quadratic running cost, and the least of all stationary ends"
 
@@ -25,16 +27,12 @@ PROOF = "a linear plant, a convex quadratic running cost, and the least of all s
 def solve_polynomial_end(problem: Statement) -> Extremal | None:
     """Return the best extremal for a terminal cost of degree three or more in one state.
 
-    None for other problems, and where its certificate does not hold. Raises `Unbounded` if the cost
-    falls without bound as that state grows.
+    None where the rest of the problem is not linear-quadratic, or the certificate does not hold.
+    Raises `Unbounded` if the cost falls without bound as that state grows.
     """
-    if len(problem.final.free_symbols) != 1 or not problem.final.is_polynomial():
-        return None
     (state,) = problem.final.free_symbols
     sign = -1 if problem.maximise else 1
     terminal_cost = sp.Poly(sign * problem.final, state)
-    if terminal_cost.degree() < 3:
-        return None
     plain = replace(problem, running=sign * problem.running, final=0, maximise=False)
     # V' at two ends, the larger one as large as the state is expected to be.
     ends = (sp.Integer(0), sp.Integer(2) ** round(sizes(problem)[state]))
@@ -72,8 +70,35 @@ def _cost_slope(problem, state, end):
     problem = replace(problem, terminal=[*problem.terminal, state - end])
     numeric = NumericProblem(problem)
     try:
-        refuse_infeasible(numeric)
+        for refusal in LINEAR_TARGETS:
+            refusal.check(numeric)
     except Infeasible:
         return None
     extremal = solve_linear_quadratic(numeric)
     return None if extremal is None else -extremal.terminal_multipliers[-1]
+
+
+def _is_polynomial(problem):
+    final = problem.final
+    return (
+        len(final.free_symbols) == 1
+        and final.is_polynomial()
+        and sp.degree(final, *final.free_symbols) >= 3
+    )
+
+
+POLYNOMIAL_END = Method(
+    "polynomial terminal cost",
+    "The least running cost to an end y_i = s is quadratic in s: the minimum over s is a root of a "
+    "polynomial.",
+    "trajlib.pontryagin.indirect.polynomial_end",
+    (
+        GIVEN_TIME,
+        UNBOUNDED_CONTROLS,
+        Hypothesis(
+            "the terminal cost is a polynomial of degree three or more in one state",
+            _is_polynomial,
+        ),
+    ),
+    solve_polynomial_end,
+)

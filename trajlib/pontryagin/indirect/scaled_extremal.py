@@ -5,7 +5,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 
 from trajlib.pontryagin.indirect.extremal import Extremal
-from trajlib.pontryagin.problem.scaling import Scaling
+from trajlib.pontryagin.problem.scaling import Scaling, natural_units
+from trajlib.pontryagin.problem.steps import Hypothesis, Reformulation
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -66,7 +67,7 @@ class ScaledExtremal(Extremal):
         return times[0] if np.ndim(t) == 0 else times
 
 
-def scaled_guess(scaling: Scaling, guess: tuple | None) -> tuple | None:
+def _scaled_guess(scaling, guess):
     """Return a guess (duration, states, controls) in other units; None for none."""
     if guess is None:
         return None
@@ -105,3 +106,36 @@ def restore_units(scaling: Scaling, extremal: Extremal) -> ScaledExtremal:
         ),
     }
     return ScaledExtremal(**values, inner=extremal, scaling=scaling, weight=weight)
+
+
+def _description(scaling):
+    units = dict(
+        zip(
+            (*scaling.original.state, *scaling.original.control),
+            (*scaling.states, *scaling.controls),
+        )
+    )
+    units |= {"t": scaling.time, "J": scaling.cost}
+    shown = [f"{name} in units of {float(unit):.6g}" for name, unit in units.items() if unit != 1]
+    if scaling.constant_cost != 0:
+        shown.append(f"J without the constant {float(scaling.constant_cost):.6g}")
+    return ", ".join(shown)
+
+
+NATURAL_UNITS = Reformulation(
+    "natural units",
+    "y = s Y, u = r U, t = tau t', J = c J' + J_0 with units in which all terms are about 1 in size.",
+    "trajlib.pontryagin.problem.scaling",
+    (
+        Hypothesis(
+            "the terms differ much from 1 in size, or the cost has a constant part or factor",
+            lambda p: natural_units(p) is not None,
+        ),
+    ),
+    natural_units,
+    lambda _scaling, structure: structure,
+    _scaled_guess,
+    restore_units,
+    lambda scaling, _states, controls: (controls.T * np.array(scaling.controls, dtype=float)).T,
+    _description,
+)

@@ -69,6 +69,10 @@ def relax_angles(problem: Statement) -> AngleRelaxation | None:
 
     None if an angle occurs otherwise than linearly in cos u, sin u.
     """
+    return problem.cached("angle relaxation", lambda: _relaxed(problem))
+
+
+def _relaxed(problem: Statement) -> AngleRelaxation | None:
     controls: dict = {}
     table: dict = {}
     blocks: list[tuple[int, ...]] = []

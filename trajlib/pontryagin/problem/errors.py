@@ -3,9 +3,29 @@
 Every message names what was asked, why it is impossible, and what to try.
 """
 
+import re
+
+from trajlib.pontryagin.problem.log import Log
+
+# Up to the first end of a clause outside of parentheses.
+SUMMARY = re.compile(r"(?:\([^()]*(?:\([^()]*\)[^()]*)*\)|[^(:;.]|[:;.](?!\s|$))*")
+
 
 class PontryaginError(ValueError):
-    """A well-formed problem has no extremal of the kind asked for; subclasses name the reason."""
+    """A well-formed problem has no extremal of the kind asked for; subclasses name the reason.
+
+    Attributes
+    ----------
+    log : Log
+        What `solve` had tried by then; empty where the error comes from elsewhere.
+    """
+
+    log = Log()
+
+    @property
+    def summary(self) -> str:
+        """What is the case, in one sentence without its reasons, numbers and advice."""
+        return SUMMARY.findall(str(self))[0]
 
 
 class Infeasible(PontryaginError):

@@ -84,8 +84,9 @@ def constraint_derivatives(problem: Statement, g: sp.Expr) -> tuple[sp.Expr, ...
         if not all(vanishes_identically(sp.diff(derivatives[-1], u)) for u in problem.control):
             return tuple(derivatives)
     raise ValueError(
-        f"path: no derivative of {g} up to the order {len(problem.state)} contains a control, so "
-        "that no control can keep it"
+        f"path: {g} does not depend on the control (none of its first {len(problem.state)} time "
+        "derivatives contains it), so that the initial state alone decides about it; expected a "
+        "constraint that a control can keep. Leave it out where the initial state satisfies it"
     )
 
 

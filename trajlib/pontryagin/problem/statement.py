@@ -19,6 +19,7 @@ from typing import Any, Self
 import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression
+from trajlib.flows import lie_derivative
 from trajlib.pontryagin.problem.arguments import (
     bounds_from_path,
     inequalities,
@@ -29,6 +30,7 @@ from trajlib.pontryagin.problem.arguments import (
     read_table,
     read_terminal,
 )
+from trajlib.pontryagin.problem.singular import vanishes_identically
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +79,7 @@ class Statement:
         self._check_symbols()
         self._check_ends()
         self._check_path()
+        self._impose_at_end()
 
     @property
     def state(self) -> tuple[sp.Symbol, ...]:
@@ -278,6 +281,25 @@ class Statement:
                 raise ValueError(
                     f"path: {first} and {second} are the same inequality, so its multiplier is not unique"
                 )
+
+    def _impose_at_end(self):
+        """Impose path constraints at the end alone where they hold at all times if they hold there.
+
+        So it is for g' = 0, as on a parameter k with k' = 0, and for g' > 0, as on the time. A
+        constant g that is not positive at the start is left out.
+        """
+        given = {y: value for y, value in self.initial.items() if value is not None}
+        path, ends = [], []
+        for relation in (*self.path, *self.terminal_inequalities):
+            g, at_end = relation.lhs, relation in self.terminal_inequalities
+            rate = sp.expand(lie_derivative(g, self.dynamics))
+            constant = vanishes_identically(rate)
+            if constant and g.subs(given).is_nonpositive:
+                continue
+            growing = rate.is_positive and not rate.has(*self.control)
+            (ends if at_end or constant or growing else path).append(relation)
+        object.__setattr__(self, "path", tuple(path))
+        object.__setattr__(self, "terminal_inequalities", tuple(dict.fromkeys(ends)))
 
     def _check_ends(self):
         if len(self.terminal) > len(self.state):
