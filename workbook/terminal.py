@@ -5,8 +5,9 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-#: Formulas and file names are printed as they are, without colours and line breaks.
-console = Console(highlight=False, soft_wrap=True)
+#: Formulas and file names are printed as they are, without colours, line breaks and pictures for
+#: words such as :skull:.
+console = Console(highlight=False, soft_wrap=True, emoji=False)
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
 
 

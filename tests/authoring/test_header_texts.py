@@ -12,7 +12,7 @@ from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.mistakes import mistake_sentence
 
 pytestmark = pytest.mark.slow
-SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
+MASTERS = master_paths(Path(__file__).resolve().parents[2] / "solutions")
 #: What is set between dollars, code between backticks, a reference, an answer of no items; not
 #: mathematics as typed.
 SET = re.compile(r"\$[^$]*\$|`[^`]*`")
@@ -28,6 +28,11 @@ WRITTEN_IN = re.compile(
 )
 
 
+@pytest.fixture(scope="module")
+def masters():
+    return {path: read(path) for path in MASTERS}
+
+
 def texts(path):
     front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
     return [text.partition(":")[2] for text in front["answers"].values()] + sum(
@@ -35,52 +40,53 @@ def texts(path):
     )
 
 
-@pytest.mark.parametrize(
-    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
-)
-def test_formulas_of_the_front_matter_are_typeset(path):
-    found = {text: typed[0] for text in texts(path) if (typed := TYPED.search(SET.sub("", text)))}
+def not_set(sentences):
+    """Return sentence -> the first mathematics in it that is typed and not set."""
+    return {text: typed[0] for text in sentences if (typed := TYPED.search(SET.sub("", text)))}
+
+
+def test_formulas_of_the_front_matter_are_typeset():
+    found = {path.stem: faults for path in MASTERS if (faults := not_set(texts(path)))}
     assert not found, "put formulas between dollars, code between backticks"
 
 
-@pytest.mark.parametrize(
-    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
-)
-def test_formulas_of_mistakes_are_typeset(path):
-    master = read(path)
-    comments = [
-        trial.comment for trial in master.trials["wrong"] if mistake_sentence(master, trial)
-    ]
-    found = {text: typed[0] for text in comments if (typed := TYPED.search(SET.sub("", text)))}
+def test_formulas_of_mistakes_are_typeset(masters):
+    found = {}
+    for path, master in masters.items():
+        wrong = master.trials["wrong"]
+        found |= {
+            (path.stem, text): typed
+            for text, typed in not_set(
+                trial.comment for trial in wrong if mistake_sentence(master, trial)
+            ).items()
+        }
     assert not found, "put formulas between dollars, code between backticks"
 
 
-@pytest.mark.parametrize(
-    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
-)
-def test_formulas_have_a_plain_form(path):
-    for text in [*texts(path), *(trial.comment for trial in read(path).trials["wrong"])]:
-        assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), (
-            text
-        )
+def test_formulas_have_a_plain_form(masters):
+    for path in MASTERS:
+        wrong = masters[path].trials["wrong"]
+        for text in [*texts(path), *(trial.comment for trial in wrong)]:
+            left = re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text))
+            assert not left, (path.stem, text)
 
 
-@pytest.mark.parametrize(
-    "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
-)
-def test_variables_of_an_answer_have_their_names_in_code(path):
+def test_variables_of_an_answer_have_their_names_in_code(masters):
     """A stub that asks for an answer in x0 has a symbol x0, and not x_0."""
-    master = read(path)
-    nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
-    names = {node.id for node in nodes if isinstance(node, ast.Name)}
-    front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
-    variables = {
-        plain(word)
-        for text in front["answers"].values()
-        for listed in WRITTEN_IN.findall(text)
-        for word in re.findall(r"\$[^$]+\$|`\w+`", listed)
-    }
-    assert {word for word in variables if word.isidentifier()} <= names.union(front["answers"])
+    for path, master in masters.items():
+        nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
+        names = {node.id for node in nodes if isinstance(node, ast.Name)}
+        front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+        variables = {
+            plain(word)
+            for text in front["answers"].values()
+            for listed in WRITTEN_IN.findall(text)
+            for word in re.findall(r"\$[^$]+\$|`\w+`", listed)
+        }
+        unknown = (
+            {word for word in variables if word.isidentifier()} - names - set(front["answers"])
+        )
+        assert not unknown, path.stem
 
 
 @pytest.mark.parametrize(
@@ -116,7 +122,7 @@ def test_plain_formulas_are_recognised(typed, found):
             "|y| <= 1, psi == 0, a = +-1, sin beta/rho, psi'",
         ),
         (r"in $\varrho_T$ and $\bar\omega$", "in rho_T and omegabar"),
-        ("the basis of `a_unseen`", "the basis of a_unseen"),
+        ("the basis of `a_unobservable_states`", "the basis of a_unobservable_states"),
     ],
 )
 def test_plain_form_of_formulas(formula, typed):

@@ -89,9 +89,14 @@ def private_phrases(text):
     ]
 
 
-@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_texts_use_standard_terms(path):
-    assert private_phrases(path.read_text(encoding="utf-8")) == []
+def test_texts_use_standard_terms():
+    found = {
+        path.relative_to(ROOT).as_posix(): phrases
+        for path in TEXTS
+        if (phrases := private_phrases(path.read_text(encoding="utf-8")))
+    }
+    assert len(TEXTS) > 1000
+    assert found == {}
 
 
 def test_the_glossary_lists_the_standard_terms():

@@ -35,10 +35,14 @@ def letters(text):
     return LETTER.findall(text)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
-def test_letters_of_mathematics_are_typeset(page):
-    allowed = NAMES.get(page.relative_to(ROOT).as_posix(), set())
-    assert set(letters(page.read_text(encoding="utf-8"))) <= allowed
+def test_letters_of_mathematics_are_typeset():
+    found = {}
+    for page in PAGES:
+        name = page.relative_to(ROOT).as_posix()
+        if more := set(letters(page.read_text(encoding="utf-8"))) - NAMES.get(name, set()):
+            found[name] = more
+    assert len(PAGES) > 300
+    assert found == {}
 
 
 @pytest.mark.parametrize(

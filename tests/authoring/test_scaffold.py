@@ -1,8 +1,12 @@
 """`workbook new` writes a master that holds the contract, and never writes over one."""
 
+from pathlib import Path
+
 import pytest
 
 from workbook.authoring import new_problem, read
+from workbook.authoring.scaffold import LAST_PRINTED
+from workbook.authoring.student_notebook import ADDED
 from workbook.authoring.trials import trials_file
 
 SECTIONS = {"ch2/p05.md": "§2.2", "ch2/p31.md": "§2.5"}
@@ -50,3 +54,23 @@ def test_existing_files_are_not_overwritten(solutions):
 def test_malformed_numbers_are_refused(solutions, number):
     with pytest.raises(ValueError, match="write it like 2.30"):
         new_problem(solutions, number)
+
+
+@pytest.mark.parametrize("number", ["1.99", "1.19", "2.38", "5.71"])
+def test_numbers_that_the_problem_book_does_not_have_are_refused(solutions, number):
+    with pytest.raises(ValueError, match="a new problem belongs to a chapter from 6 on"):
+        new_problem(solutions, number)
+    assert not (solutions / f"ch{number[0]}" / f"p{number[2:]}.md").exists()
+
+
+def test_the_last_printed_problems_are_those_of_the_book():
+    folder = Path(__file__).resolve().parents[2] / "solutions"
+    assert sum(LAST_PRINTED.values()) == 194
+    for chapter, last in LAST_PRINTED.items():
+        masters = map(read, folder.glob(f"ch{chapter}/p*.md"))
+        printed = [master.number for master in masters if master.section != ADDED]
+        assert sorted(int(number.split(".")[1]) for number in printed) == [*range(1, last + 1)]
+
+
+def test_research_chapters_are_open(solutions):
+    assert read(new_problem(solutions, "6.99")[0]).number == "6.99"

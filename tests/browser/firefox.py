@@ -7,6 +7,7 @@ import subprocess
 import time
 
 import pytest
+from chromium import megabytes
 
 #: A proxy that nobody serves for all hosts but the own one.
 PREFERENCES = {
@@ -94,6 +95,10 @@ class Firefox:
         ]
         own = ("file:", "data:", "blob:", "http://127.0.0.1:")
         return [url for url in urls if not url.startswith(own)]
+
+    def megabytes(self):
+        """Return the memory of all its processes."""
+        return megabytes(self._process.pid)
 
     def close(self):
         """End the browser and wait for it."""

@@ -19,6 +19,10 @@ NOT_CHECKS = {
 CHECKS = sorted({*dir(checks)} - NOT_CHECKS | {f"research.{name}" for name in dir(checks.research)})
 
 
+#: Instead of a verdict: the data are refused, whatever the answer is.
+REFUSED = "refused"
+
+
 def check_named(name):
     """Return the check with a name as `Case.check` gives it, perhaps with a dot."""
     return attrgetter(name)(checks)

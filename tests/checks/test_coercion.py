@@ -289,22 +289,6 @@ def test_intervals_of_a_single_symbol():
 
 
 @pytest.mark.parametrize(
-    "points",
-    [
-        [(1, 2), (3, 4)],
-        {(1, 2), (3, 4)},
-        np.array([[1, 2], [3, 4]]),
-        sp.Matrix([[1, 2], [3, 4]]),
-        sp.FiniteSet((1, 2), (3, 4)),
-        [sp.Matrix([1, 2]), sp.Matrix([3, 4])],
-        [{x: 1, y: 2}, {x: 3, y: 4}],
-    ],
-)
-def test_points_in_any_form(points):
-    assert sorted([int(v) for v in p] for p in coercion.as_points(points, 2)) == [[1, 2], [3, 4]]
-
-
-@pytest.mark.parametrize(
     "word", ["asymptotically stable", "Asymptotically-Stable", " asymptotically_stable "]
 )
 def test_choices(word):

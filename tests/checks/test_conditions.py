@@ -356,27 +356,23 @@ def test_families_of_rest_points_are_decided():
     k, d = sp.symbols("k d", positive=True)
     driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])
     half, root = sp.asin(k) / 2, 1 / sp.sqrt(k)
-    for check, claim, field, proved in (
-        ("stable_equilibrium_angles", [half + sp.pi * n], driven, True),
-        ("unstable_equilibrium_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
-        (
-            "equilibrium_angles",
-            [half + sp.pi * n, half + sp.pi / 2 - 2 * half - sp.pi * n],
-            driven,
-            True,
-        ),
-        ("equilibrium_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
+    stable, unstable = "asymptotically stable", "unstable"
+    for kind, claim, proved in (
+        (stable, [half + sp.pi * n], True),
+        (unstable, [sp.pi / 2 - half - sp.pi * n], True),
+        (None, [half + sp.pi * n, half + sp.pi / 2 - 2 * half - sp.pi * n], True),
+        (None, [(-1) ** n * half + sp.pi * n / 2], False),
     ):
-        verdict = getattr(checks, check)(claim, field, [x, y], [k, d], n)
+        verdict = checks.equilibrium_values(claim, driven, [x, y], [k, d], (), n, kind)
         assert (verdict.status, "proved" in verdict.message) == ("right", proved), verdict
-    for check, claim, status, proved in (
-        ("equilibrium_values", [0, root, -root], "right", True),
-        ("stable_equilibrium_values", [root, -root], "right", True),
-        ("unstable_equilibrium_values", 0, "right", True),
-        ("equilibrium_values", [0, root, -1.0 * root], "right", False),
-        ("equilibrium_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
+    for kind, claim, status, proved in (
+        (None, [0, root, -root], "right", True),
+        (stable, [root, -root], "right", True),
+        (unstable, 0, "right", True),
+        (None, [0, root, -1.0 * root], "right", False),
+        (None, [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
     ):
-        verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
+        verdict = checks.equilibrium_values(claim, spring, [x, y], [k, d], kind=kind)
         assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict
 
 
@@ -387,3 +383,25 @@ def test_a_root_on_the_imaginary_axis_is_told_without_rounding(margin, told):
         pendulum.describe({x: sp.Integer(1), y: sp.Integer(0)})
         == f"the largest real part of a root is {told}"
     )
+
+
+@pytest.mark.parametrize("no_z3", [False, True])
+@pytest.mark.parametrize(
+    ("claim", "border"),
+    [(x > 1, x - 2), (x > 0, x - 2), (sp.true, x - 2), (sp.And(x > 2, y > -1), y), (x > 3, x - 2)],
+)
+def test_a_point_on_a_border_of_the_reference_is_named_only_where_there_is_no_other(
+    claim, border, no_z3, monkeypatch
+):
+    """It would tell the right number: the region x > 2 is not to be read off "not stable at x = 2"."""
+    if no_z3:
+        monkeypatch.setitem(sys.modules, "z3", None)
+    truth = exactly(sp.And(x > 2, y > 0) if y in border.free_symbols else x > 2)
+    points = []
+    with pytest.raises(Wrong):
+        compare(claim, [x, y], truth, lambda values, holds: points.append(values) or "")
+    assert border.xreplace(points[0]) != 0
+    # the claim differs on its own border alone
+    with pytest.raises(Wrong):
+        compare(x >= 2, [x, y], exactly(x > 2), lambda values, holds: points.append(values) or "")
+    assert points[-1][x] == 2

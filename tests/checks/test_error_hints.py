@@ -84,7 +84,7 @@ def errors(outputs):
 @pytest.mark.parametrize("mistake", ["and", "chain", "unbracketed", "if"])
 def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistake):
     [said] = errors(first_day[mistake])
-    assert "sp.And(" in said and "(k1 > 0) & (k2 < k1)" in said and "sp.Piecewise(" in said
+    assert "sp.And(" in said and "(p < 7) & (q < p)" in said and "sp.Piecewise(" in said
     _error, *advice = said.splitlines()
     assert "site-packages" not in said and len(advice) == 4
     assert max(map(len, advice)) <= 79, "VS Code does not break a long line of an error"

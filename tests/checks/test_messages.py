@@ -69,6 +69,8 @@ def test_vague_messages_are_recognised(message):
 PROPERTIES = {
     ("steady_covariance", "the other root"): "negative variance",
     ("steady_covariance", "the other moment"): "does not satisfy the Riccati equation",
+    ("steady_covariance", "growth ignored, before"): "but the errors do not decay",
+    ("steady_covariance", "growth ignored, after"): "but the errors do not decay",
     ("steady_covariance", "a root with which the errors grow"): "the errors do not decay",
     ("steady_covariance", "a matrix not symmetric"): "is not real and symmetric",
     ("riccati_equation", "the sign of the noise"): "do not contain the covariance",

@@ -4,6 +4,7 @@ of every kind."""
 import pytest
 import sympy as sp
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.records import (
     augmented,
     controlled_pair,
@@ -119,7 +120,7 @@ def test_a_record_with_one_side_says_which():
         Mechanical(pair[0], 0, 0, H2=[pair[1]])
     )
     for unclear in (Linear(pair[0]), Linear(*pair, [pair[1]]), BODIES):
-        with pytest.raises(TypeError, match="either a control or an output"):
+        with pytest.raises(UnsuitableData, match="either a control or an output"):
             has_control(unclear)
-    with pytest.raises(TypeError, match="a record of a system with an output, got int"):
+    with pytest.raises(UnsuitableData, match="a record of a system with an output, got int"):
         observed_pair(3)

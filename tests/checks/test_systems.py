@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -81,6 +82,18 @@ def test_a_controlled_system_is_stated_by_its_equations_and_bounds():
 def test_a_controlled_system_has_one_control_with_two_bounds(controls):
     with pytest.raises(ValueError, match="one control with two bounds"):
         Controlled({sp.Symbol("x"): k}, controls)
+
+
+def test_matrices_may_be_arrays_of_numpy():
+    A, B, H = [[0, 1], [-2, -3]], [[0], [1]], [[1, 0]]
+    arrays = [np.array(matrix) for matrix in (A, B, H)]
+    assert Linear(*arrays) == Linear(A, B, H)
+    assert Mechanical(*[np.eye(2, dtype=int)] * 3, H1=arrays[2]) == Mechanical(
+        *[sp.eye(2)] * 3, H1=H
+    )
+    assert Process(arrays[0], Q=np.eye(2, dtype=int), H=arrays[2], R=1) == Process(
+        A, Q=sp.eye(2), H=H, R=1
+    )
 
 
 def test_values_go_everywhere():

@@ -99,9 +99,31 @@ def test_an_exact_number_has_to_be_right():
     assert agree(1 / 3, 1 / 3 + 1e-12, sp.Rational(1, 3))
 
 
-def test_a_complex_number_has_the_digits_of_its_modulus():
-    assert agree(0.707 + 0.707j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
-    assert not agree(0.707 + 0.713j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
+@pytest.mark.parametrize(
+    "answer, value, right",
+    [
+        (0.707 + 0.707j, (1 + 1j) / np.sqrt(2), True),
+        (0.707 + 0.713j, (1 + 1j) / np.sqrt(2), False),
+        (-1 + 0.71j, -1 + 1j / np.sqrt(2), False),
+        (-1 + 0.707j, -1 + 1j / np.sqrt(2), True),
+        (-1.2 + 0.7j, -1.2 + 1j / np.sqrt(2), False),
+        (-1.2 - 0.707j, -1.2 - 1j / np.sqrt(2), True),
+        (4e-6 + 2.0j, 2j, True),
+        (1e-5 + 2.0j, 2j, False),
+        (-3.0 + 0j, -3, True),
+        (-3.0 + 1e-4j, -3, False),
+        (100 + 0.12j, 100 + 0.123j, False),
+    ],
+)
+def test_each_part_of_a_complex_number_has_its_own_digits(answer, value, right):
+    assert agree(answer, value, sp.sympify(answer)) is right
+    in_a_matrix = agree(np.array([[answer]]), [[value]], sp.Matrix([[sp.sympify(answer)]]))
+    assert in_a_matrix.tolist() == [[right]]
+
+
+def test_a_number_alone_has_the_digits_of_its_own_whatever_it_is_computed_from():
+    assert not agree(0.0123, 0.0121, sp.Float(0.0123), size=100)
+    assert agree(np.array([[0.0123]]), [[0.0121]], sp.Matrix([0.0123]), size=100).all()
 
 
 def test_rounded_coefficients_of_an_expression_cost_their_share():
@@ -130,8 +152,8 @@ H = sp.Matrix([[0, 1]])
 NUMBERS = [
     lambda number: checks.fixed_eigenvalues([number], Linear(A, H=H)),
     lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], Linear(A, [1, 1])),
-    lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
-    lambda number: checks.stationary_linearisation(
+    lambda number: checks.equilibrium_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
+    lambda number: checks.equilibrium_linearisation(
         [[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []
     ),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),

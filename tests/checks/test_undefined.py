@@ -99,7 +99,7 @@ MOVE, SEEN, SOLVED = map(
 )
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/phase_plane")
 LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
-LISTS, POINT = cases("stability/equilibrium_families"), cases("stability/stationary_points")
+LISTS, POINT = cases("stability/equilibrium_values"), cases("stability/equilibria")
 VARIED = cases("pontryagin/functionals")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
@@ -126,7 +126,7 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
             "no real number",
         ),
         ("optimal_control", PUSH, (MOVE.REST, MOVE.t), "right", "admissible"),
-        ("optimal_control", LATE, (MOVE.REST, MOVE.t), "wrong", "your control at t = 1.0"),
+        ("optimal_control", LATE, (MOVE.REST, MOVE.t), "wrong", "your control is no real number"),
         (
             "optimal_control",
             [(-1, 1), (1, sp.oo)],
@@ -168,7 +168,7 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
         ("extremum_motion", HUGE**2 * VARIED.t, (VARIED.GROWTH,), "wrong", "too large"),
         ("extremum_motion", 1 + HUGE * VARIED.t, (VARIED.GROWTH,), "wrong", "too large"),
         ("extremum_value", HUGE**2, (VARIED.GROWTH,), "wrong", "too large to be computed with"),
-        ("stationary_value", HUGE**2, (POINT.P, *POINT.ROCKET), "wrong", "too large"),
+        ("equilibrium_value", HUGE**2, (POINT.P, *POINT.ROCKET), "wrong", "too large"),
         (
             "first_integral",
             PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta) + sp.oo,

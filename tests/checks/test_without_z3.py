@@ -64,7 +64,9 @@ def test_an_angle_that_linear_equations_determine_is_eliminated(
     field = sp.Matrix([k1 * v - g * sp.cos(theta) / v, -k * v**2 - g * sp.sin(theta)])
     domain = {theta: sp.Interval.Lopen(-sp.pi, sp.pi), v: sp.Interval.open(0, sp.oo)}
     answer = sp.sympify(claim, {"k": k, "k1": k1})
-    verdict = checks.focus_region(answer, field, [theta, v], [k, k1, g], domain)
+    verdict = checks.equilibrium_condition(
+        answer, field, [theta, v], [k, k1, g], domain, kind="focus"
+    )
     assert verdict.status == status and verdict.message.endswith(evidence)
 
 

@@ -21,12 +21,12 @@ RIGHT_1_18 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k1 > k2) & (k2
 RIGHT_2_4 = {
     "a_observable": "sp.Ne(weight*alpha - beta, weight**2)",
     "b_unobservable": "sp.Eq(h**2 - friction*h + stiffness, 0)",
-    "b_unseen": "{-r: [[1, r]] for r in b_matrix.eigenvals()}",
+    "b_unobservable_states": "{-r: [[1, r]] for r in b_matrix.eigenvals()}",
 }
 SITE_2_4 = {
     "a_observable": "sp.Ne(alpha - beta, 1)",
     "b_unobservable": "sp.Or(sp.Eq(h, 1), sp.Eq(h, 2))",
-    "b_unseen": "{1: [[1, -1]], 2: [[1, -2]]}",
+    "b_unobservable_states": "{1: [[1, -1]], 2: [[1, -2]]}",
 }
 
 

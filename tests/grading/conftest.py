@@ -12,6 +12,8 @@ from workbook.grading.course.store import Store
 
 #: Their tests wait: for sandboxes, worker processes, whole commands, a browser, limits of time.
 WAITING = {
+    "test_between_sandboxes",
+    "test_budgets",
     "test_cluster",
     "test_commands",
     "test_fairness",
@@ -20,6 +22,7 @@ WAITING = {
     "test_judging",
     "test_nothing_lost",
     "test_pages",
+    "test_review",
     "test_sandbox",
 }
 HERE = Path(__file__).parent

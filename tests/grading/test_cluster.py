@@ -32,9 +32,8 @@ from workbook.grading.cluster import connection, coordinator, dask_worker
 from workbook.grading.course import course
 from workbook.grading.pool import grader
 from workbook.grading.pool.judging import Bounds
-from workbook.grading.sandbox.isolation import SandboxUnavailableError
+from workbook.grading.sandbox.limits import Limits, SandboxUnavailableError
 from workbook.grading.sandbox.preloading import ALWAYS
-from workbook.grading.sandbox.sandbox import Limits
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -125,13 +124,7 @@ def a_task(key, problem="1.15", answers=RIGHT_1_15):
     sources = [source for _, source in exercise.code("data")] + [
         f"{name} = {text}" for name, text in answers.items()
     ]
-    return {
-        "key": key,
-        "problem": problem,
-        "direction": True,
-        "sources": sources,
-        "names": list(exercise.about["answers"]),
-    }
+    return grader.Task(problem, True, sources, key=key, names=list(exercise.about["answers"]))
 
 
 # As on one machine
@@ -619,7 +612,7 @@ def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
         # Arguments and results are bytes; the worker process is the same one, and the result has
         # its limits.
         reply = json.loads(
-            lasting.submit(dask_worker.grade, settings, json.dumps(a_task(0)).encode()).result()
+            lasting.submit(dask_worker.grade, settings, a_task(0).to_json()).result()
         )
         assert (
             reply["result"]["final"] == "yes"

@@ -6,6 +6,7 @@ from collections import Counter
 import pytest
 
 from workbook.grading.cluster import connection, coordinator, dask_worker
+from workbook.grading.pool.grader import Task
 
 
 class Dask:
@@ -72,17 +73,7 @@ def quick(monkeypatch):
 
 
 def make_run(dask, number, lines=None):
-    tasks = [
-        {
-            "key": key,
-            "problem": "1.15",
-            "direction": True,
-            "sources": [str(key)],
-            "names": ["a_region"],
-            "student": "ada",
-        }
-        for key in range(number)
-    ]
+    tasks = [Task("1.15", True, [str(key)], key=key, names=["a_region"]) for key in range(number)]
     return coordinator._Run(
         dask,
         tasks,
@@ -137,7 +128,7 @@ def test_few_tasks_are_on_their_way_and_only_the_code_is_sent(quick):
         "tls://10.0.0.2:1": 1 + coordinator.PREFETCH,
     }
     assert {frozenset(call.task) for call in dask.calls if call.task} == {
-        frozenset({"problem", "direction", "sources"})
+        frozenset({"problem", "direction", "sources", "other_variants"})
     }
     assert {call.address: call.settings["workers"] for call in dask.calls} == {
         "tls://10.0.0.1:1": 2,

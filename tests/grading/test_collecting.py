@@ -3,23 +3,27 @@
 import io
 import json
 import re
+import struct
 import sys
 import time
 import zipfile
+import zlib
+from datetime import datetime
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import notebook
+from classroom import an_assignment, notebook
 
 from workbook.cli import app
-from workbook.grading.course import ledger
+from workbook.grading.course import collecting, ledger
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
 from workbook.grading.course.roster import Roster
 from workbook.grading.course.submissions import LeftAside, Submission, find, students
 from workbook.grading.reports.canvas import Gradebook
+from workbook.terminal import UserError
 
 MOODLE = {
     "Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
@@ -263,6 +267,14 @@ def test_the_owner_is_whom_the_system_names_first(tmp_path, path, student, file)
     assert {entry.student for entry in find(tmp_path / "in")} == set(files)
 
 
+@pytest.mark.parametrize("part", ["_1", "_1_2", "a_", "_", "1", "LATE_", "_1_assignsubmission_"])
+def test_a_long_name_takes_no_time(part):
+    began = time.process_time()
+    for path in (part * (60_000 // len(part)), f"{part * (900 // len(part))}/x_1_2_"):
+        assert isinstance(collecting._owner(path, set()), str | collecting._Owner)
+    assert time.process_time() - began < 1
+
+
 def test_another_plugin_of_moodle_names_no_file(tmp_path):
     path = "Eve_17_assignsubmission_poodll_Bob_1_assignsubmission_file_ch1-p15.ipynb"
     files, aside = files_of(tmp_path, [path, "Bob_1_assignsubmission_file_ch1-p15.ipynb"])
@@ -279,6 +291,72 @@ def test_a_number_with_two_names_is_refused(tmp_path, later):
     assert list(files) == ["Cid_8"]
     assert all("the number 7 stands with two names, Ann" in why for _, why in aside)
     assert len(aside) == (1 if later else 2)
+
+
+RUSSIAN = {1110: "Иванов Пётр", 1111: "Юлия Щукина", 1112: "Ann Able"}
+RUSSIAN_SHEET = "Идентификатор,Полное имя,Оценка\n" + "".join(
+    f"Участник{number},{name},\n" for number, name in RUSSIAN.items()
+)
+
+
+def packed_on_windows(folder, encoding, file_name):
+    """Make an archive as Windows does: names in its encoding, without the flag for UTF-8."""
+    names = [f"{name}_{n}_assignsubmission_file/{file_name}" for n, name in RUSSIAN.items()]
+    path = packed(
+        folder, {f"{k}" * len(name.encode(encoding)): "{}" for k, name in enumerate(names)}
+    )
+    content = path.read_bytes()
+    for k, name in enumerate(names):
+        raw = name.encode(encoding)
+        content = content.replace(f"{k}".encode() * len(raw), raw)
+    path.write_bytes(content)
+    return path
+
+
+@pytest.mark.parametrize("encoding", ["cp866", "cp1251", "koi8-r", "utf-8"])
+def test_an_archive_that_was_packed_again_on_windows(tmp_path, encoding):
+    """The worksheet has the number, so the right archive of the same Moodle is not refused."""
+    (tmp_path / "sheet.csv").write_text(RUSSIAN_SHEET, encoding="utf-8")
+    spoilt = packed_on_windows(tmp_path, encoding, "ch1-p15.ipynb")
+    first = collect(spoilt, "hw1", tmp_path / "in", tmp_path / "sheet.csv")
+    assert first.aside == [] and len(first.files) == 3
+    if encoding != "koi8-r":  # which nothing distinguishes from the others
+        assert set(first.files) == {f"{name}_{number}" for number, name in RUSSIAN.items()}
+    files = {f"{name}_{n}_assignsubmission_file/b.ipynb": "[]" for n, name in RUSSIAN.items()}
+    right = packed(tmp_path, files, "right.zip")
+    then = collect(right, "hw1", tmp_path / "in", tmp_path / "sheet.csv")
+    assert then.aside == [] and then.files == dict.fromkeys(first.files, ["b.ipynb"])
+    assert collect(right, "hw1", tmp_path / "in").aside == [], "either spelling is known now"
+    assert collect(spoilt, "hw1", tmp_path / "in").aside == []
+
+
+@pytest.mark.parametrize("encoding", ["cp866", "cp437"])
+def test_a_name_beside_which_stands_one_in_utf_8(tmp_path, encoding):
+    """As Info-ZIP writes it, for the name that is there; of another name it says nothing."""
+    raw = {"cp866": "Пётр".encode("cp866"), "cp437": "René".encode("cp437")}[encoding]
+    name = "Renée O'Neil"
+    for checksum, student in ((zlib.crc32(raw + b"_1_9_a.ipynb"), name), (1, raw.decode(encoding))):
+        entry = zipfile.ZipInfo("x" * len(raw) + "_1_9_a.ipynb", WHEN)
+        path = f"{name}_1_9_a.ipynb".encode()
+        entry.extra = struct.pack("<HHBL", 0x7075, len(path) + 5, 1, checksum) + path
+        with zipfile.ZipFile(tmp_path / "all.zip", "w") as into:
+            into.writestr(entry, "{}")
+        content = (tmp_path / "all.zip").read_bytes()
+        (tmp_path / "all.zip").write_bytes(content.replace(b"x" * len(raw), raw))
+        (found,) = collecting.named_files(tmp_path / "all.zip")
+        assert found == (f"{student}_1_9_a.ipynb", "1", "a.ipynb")
+
+
+def test_western_names_are_not_taken_for_russian_ones(tmp_path):
+    names = [f"{name}_{k}_9_a.ipynb" for k, name in enumerate(["Müller", "Köln", "Zoë", "Ann"])]
+    path = packed(
+        tmp_path, {name.translate({252: "1", 246: "2", 235: "3"}): "{}" for name in names}
+    )
+    content = path.read_bytes()
+    for spelt, raw in ((b"M1ller", "Müller"), (b"K2ln", "Köln"), (b"Zo3_", "Zoë_")):
+        content = content.replace(spelt, raw.encode("cp437"))
+    path.write_bytes(content)
+    assert [name for name, _, _ in collecting.named_files(path)] == names
 
 
 ROSTER = Roster('Student,ID\n"X_500",101\n"Bee, Bob",500\n"Cee, Cid",102\n')
@@ -384,6 +462,55 @@ def test_times_and_absent_students_from_the_worksheet(tmp_path):
     assert "eva@uni.example" in students(tmp_path / "in")
 
 
+@pytest.mark.parametrize(
+    "zone, options, said",
+    [
+        ("", [], "zone UTC+03:00, by assignments/hw1/assignment.toml"),
+        ('zone = "Asia/Tokyo"\n', ["--zone", "Europe/Moscow"], "zone Europe/Moscow, by --zone"),
+        ('zone = "Europe/Moscow"\n', [], "zone Europe/Moscow, by assignments/hw1/assignment.toml"),
+    ],
+)
+def test_a_time_of_the_zone_of_the_course_is_not_late(
+    tmp_path, monkeypatch, capsys, zone, options, said
+):
+    """On a server, whose clock is UTC, 23:30 in Moscow was a day late for 23:59 there."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("TZ", "UTC")
+    time.tzset()
+    homework = an_assignment(
+        tmp_path, f'{zone}problems = ["1.15"]\ndue = 2026-09-30T23:59:00+03:00\n'
+    )
+    (tmp_path / "sheet.csv").write_text(WORKSHEET.replace("2:14 PM", "11:30 PM"), encoding="utf-8")
+    path = download(tmp_path, MOODLE, True)
+    command = ["collect", str(path), "hw1", "--worksheet", "sheet.csv", *options]
+    try:
+        app(command, standalone_mode=False)
+        _, submitted = timings(tmp_path / "submitted")["ann@uni.example"]
+        assert homework.due.timestamp() - submitted == 29 * 60
+        assert f"sheet.csv: times are of the {said}" in capsys.readouterr().out
+        (tmp_path / "assignments" / "hw1" / "assignment.toml").unlink()
+        app(command[:5], standalone_mode=False)
+        assert "sheet.csv: times are of this computer's zone, UTC; if" in capsys.readouterr().out
+    finally:
+        monkeypatch.undo()
+        time.tzset()
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (["--zone", "Europe/Moscow"], "--zone is for the times in a --worksheet"),
+        (
+            ["--worksheet", "sheet.csv", "--zone", "MSK"],
+            "--zone is 'MSK', and is to be the name of",
+        ),
+    ],
+)
+def test_a_zone_that_cannot_be_used(tmp_path, options, message):
+    with pytest.raises(UserError, match=message):
+        app(["collect", str(tmp_path), "hw1", *options], standalone_mode=False)
+
+
 def test_a_worksheet_that_comes_later_gives_the_times(tmp_path):
     (tmp_path / "sheet.csv").write_text(WORKSHEET, encoding="utf-8")
     archive = download(tmp_path, MOODLE, True)
@@ -396,7 +523,7 @@ def test_a_worksheet_that_comes_later_gives_the_times(tmp_path):
     collect(archive, "hw1", tmp_path / "in", tmp_path / "later.csv")
     times = [e.submitted for e in find(tmp_path / "in") if e.student == "Ann Able_101"]
     assert times[1] - times[0] == 3 * 3600, "handed in again"
-    collect(archive, "hw1", tmp_path / "in")
+    assert collect(archive, "hw1", tmp_path / "in").untimed == 2, "of the others it is known"
     assert len(list(find(tmp_path / "in"))) == 5, "nothing is learnt without the worksheet"
 
 
@@ -412,6 +539,25 @@ def test_a_due_date_that_canvas_moved(tmp_path):
     for name, timing in (("bee_102_9_f.ipynb", "in time"), ("bee_LATE_102_9_f.ipynb", "late")) * 2:
         files_of(tmp_path, [name])
         assert timings(tmp_path / "in")["102"][0] == timing
+
+
+def test_a_time_that_a_lecturer_writes_for_canvas(tmp_path):
+    """It stays also when the download is collected again."""
+    files_of(tmp_path, ["bee_LATE_102_9_f.ipynb"])
+    path = tmp_path / "in" / ledger.NAME
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace('"","yes"', '"2026-10-02 10:00:00+03:00","yes"'), encoding="utf-8")
+    when = datetime.fromisoformat("2026-10-02T10:00:00+03:00").timestamp()
+    for _ in range(2):
+        assert timings(tmp_path / "in") == {"102": ("known", when)}
+        files_of(tmp_path, ["bee_LATE_102_9_f.ipynb"])
+
+
+def test_a_name_is_printed_as_it_is(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    path = packed(tmp_path, {"a_1_9_f.ipynb": "{}", ":skull: [red].txt": "x"})
+    app(["collect", str(path), "hw1"], standalone_mode=False)
+    assert "left aside: :skull: [red].txt: its name" in capsys.readouterr().out
 
 
 # What: damaged, encrypted and packed files
@@ -511,6 +657,34 @@ def test_a_zip_that_cannot_be_opened_is_named(tmp_path, monkeypatch, content, wh
     collected = collect(path, "hw1", tmp_path / "in")
     assert collected.files == {"Ann_1": ["work.zip"]} and why in collected.aside[0][1]
     assert handed_in(tmp_path / "in") == {"Ann_1/hw1/work.zip"}
+
+
+def test_what_all_archives_of_a_student_unpack_to_is_limited(tmp_path, monkeypatch):
+    """Each of them is small, packed, and holds no more than one archive may."""
+    monkeypatch.setattr("workbook.grading.course.collecting.MAX_STUDENT", 2 * 2**20)
+    folder = "Ann_1_assignsubmission_file_"
+    large = {f"{folder}/{k}.zip": packed_zeros(f"{k}.ipynb") for k in "abc"}
+    other = {"Bob_2_assignsubmission_file_/ch1-p15.ipynb": "{}"}
+    path = packed(tmp_path, large | other)
+    assert path.stat().st_size < 10_000
+    collected = collect(path, "hw1", tmp_path / "in")
+    assert collected.files == {
+        "Ann_1": ["a.zip", "a.ipynb", "b.zip", "c.zip"],
+        "Bob_2": ["ch1-p15.ipynb"],
+    }
+    assert [reason for _, reason in collected.aside] == [
+        "with it the student's files would have 3 MB in all, unpacked; up to 2 MB of a student "
+        "are collected from a download"
+    ] * 2
+    asides = [entry for entry in find(tmp_path / "in") if isinstance(entry, LeftAside)]
+    assert sum("2 MB of a student" in entry.reason for entry in asides) == 2
+
+
+def packed_zeros(name):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as into:
+        into.writestr(name, b"0" * (3 * 2**19))
+    return buffer.getvalue()
 
 
 def test_a_time_that_a_student_hands_in_counts_for_nothing(tmp_path):

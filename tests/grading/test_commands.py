@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 import zipfile
 from pathlib import Path
 from unicodedata import normalize
@@ -55,14 +56,14 @@ def here(monkeypatch):
 
     def grade_all(waiting, count, settings, forkserver=None):
         for task in waiting:
-            ran.append(task["problem"])
-            exercise = exercises.find(task["problem"])
+            ran.append(task.problem)
+            exercise = exercises.find(task.problem)
             run = run_notebook(
-                [source for _, source in exercise.code("data")] + task["sources"], task["names"]
+                [source for _, source in exercise.code("data")] + task.sources, task.names
             )
-            verdicts = judge(exercise.code("data", "check"), run, task["names"])
+            verdicts = judge(exercise.code("data", "check"), run, task.names)
             texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
-            yield task["key"], grader.to_plain(Judgement(verdicts, texts, ()))
+            yield task.key, grader.to_plain(Judgement(verdicts, texts, ()))
 
     ran = []
     monkeypatch.setattr(worker_pool, "grade_all", grade_all)
@@ -77,7 +78,9 @@ def grade(folder, **options):
         "trusting": True,
         "quiet": True,
     } | options
-    return commands.grade_course(folder / "submitted", folder / "graded", **arguments)
+    return commands.grade_course(
+        commands.GradingOptions(folder / "submitted", folder / "graded", **arguments)
+    )
 
 
 @pytest.fixture
@@ -116,23 +119,27 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
             "1.15",
             "1.17",
             "total",
+            "before lateness",
             "max",
             "handed in",
             "late",
+            "grace days used",
             "time unknown",
             "needs review",
         ],
-        ["ann", "10.00", "0.00", "10.00", "12.00", "yes", "", "", "no"],
-        ["bob", "6.00", "0.00", "6.00", "12.00", "yes", "1.15", "", "no"],
-        ["cid", "0.00", "0.00", "0.00", "12.00", "yes", "", "", "no"],
-        ["dan", "0.00", "0.00", "0.00", "12.00", "no", "", "", "no"],
+        ["ann", "10.00", "0.00", "10.00", "10.00", "12.00", "yes", "", "", "", "no"],
+        ["bob", "6.00", "0.00", "6.00", "6.00", "12.00", "yes", "1.15", "", "", "no"],
+        ["cid", "0.00", "0.00", "0.00", "0.00", "12.00", "yes", "", "", "", "no"],
+        ["dan", "0.00", "0.00", "0.00", "0.00", "12.00", "no", "", "", "", "no"],
     ]
-    # Dan has no grade.
+    # Dan, who handed in nothing, has a grade once it was due.
+    absent = ["dan"] if time.time() > DUE else []
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
         "ID number",
         "ann",
         "bob",
         "cid",
+        *absent,
     ]
     assert [row[3] for row in table(course / "graded" / "hw1" / "nbgrader.csv")] == [
         "student_id",
@@ -176,15 +183,17 @@ def test_points_by_hand_from_the_command_line(course, here):
         "1.5",
         "--comment",
         "the idea is right",
+        "--by",
+        "Dr Lund",
         cwd=course,
     )
     assert (
         done.returncode == 0 and "bob, hw1, 1.15 a_region: 1.5 of 2 points by hand" in done.stdout
     )
     assert grade(course)["assignments"]["hw1"]["bob"] == 7.5
-    assert "the idea is right" in (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(
-        encoding="utf-8"
-    )
+    page = (course / "graded" / "hw1" / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "the idea is right" in page and "Lund" not in page
+    assert table(course / "graded" / "points-by-hand.csv")[1][-1] == "Dr Lund"
     done = workbook(
         "score",
         "bob",
@@ -199,7 +208,7 @@ def test_points_by_hand_from_the_command_line(course, here):
     assert done.returncode == 0 and "the automatic points count again" in done.stdout
     assert grade(course)["assignments"]["hw1"]["bob"] == 6
     assert [row[-1] for row in table(course / "graded" / "hw1" / "changes.csv")[1:]] == [
-        "points given by hand",
+        "points given by hand by Dr Lund",
         "points by hand taken back",
     ]
 
@@ -438,7 +447,7 @@ def test_everybody_in_a_roster_is_named(course, here, capsys):
     assert summary["not in the roster"] == {"hw1": ["cid", "dan"]}
     output = capsys.readouterr().err
     assert "  handed in nothing: dan, eve\n" in output and "not in the roster: cid, dan" in output
-    rows = {row[0]: row[5] for row in table(course / "graded" / "hw1" / "grades.csv")}
+    rows = {row[0]: row[6] for row in table(course / "graded" / "hw1" / "grades.csv")}
     assert rows["cid"] == "yes" and rows["dan"] == rows["eve"] == "no"
     page = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
     assert "Nothing was handed in by <bdi>dan</bdi>, <bdi>eve</bdi>." in page
@@ -813,9 +822,11 @@ def test_answers_that_need_review(course, here, changed_workbook, capsys):
         "hw1": {"ann": [["1.15", "a_region"]], "bob": [["1.15", "a_region"]]}
     }
     assert "2 need your look" in capsys.readouterr().err
+    absent = ["dan"] if time.time() > DUE else []
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
         "ID number",
         "cid",
+        *absent,
     ]
     points_by_hand.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
     summary = grade(course)
@@ -1092,4 +1103,6 @@ def test_the_five_commands_of_the_readme(tmp_path):
     assert rows["Email address"] and rows["ann@uni.example"][1] == "0.50"
     assert "handed in nothing: dan@uni.example" in done.stderr
     # Bob's photos cannot be opened, and may be his work.
-    assert set(rows) == {"Email address", "ann@uni.example", "cid@uni.example"}
+    # Dan, who handed in nothing, has no points once it was due.
+    absent = {"dan@uni.example"} if time.time() > DUE else set()
+    assert set(rows) == {"Email address", "ann@uni.example", "cid@uni.example", *absent}

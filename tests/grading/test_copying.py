@@ -1,17 +1,22 @@
 """What students share that few others have."""
 
+import json
+import re
 import sys
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import graded
+from classroom import graded, hand_in
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, WRONG
-from workbook.grading.course import copying
+from workbook.grading.course import copying, course, submissions
+from workbook.grading.course.store import Store
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.summary import summary
+from workbook.grading.sandbox.limited_process import LimitedProcess, LimitError
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 
 HOMEWORK = 'problems = ["1.17", "1.18"]\n'
@@ -67,6 +72,93 @@ def test_nearly_identical_code_is_shown(class_of_forty, store, homework):
         "ann": copying.own_lines([*cells, common, code], pristine),
         "cid": copying.own_lines([renamed, common], pristine),
     }
-    (_, pair) = copying.pairs(scores(store, homework), lines)
+    own_code = {student: copying.OwnCode(own) for student, own in lines.items()}
+    (_, pair) = copying.pairs(scores(store, homework), own_code)
     assert pair.students == ("ann", "cid") and pair.kind == "lines of code"
     assert ("values = minors(a_poly)", 2) in pair.shared and len(pair.shared) == 4
+
+
+CODE = '''
+def minors(polynomial):
+    """Return the Hurwitz determinants."""
+    coefficients = sp.Poly(polynomial, s).all_coeffs()
+    size = len(coefficients) - 1
+    table = sp.zeros(size, size)
+    for row in range(size):
+        for column in range(size):
+            place = 2 * column - row + 1
+            if 0 <= place <= size:
+                table[row, column] = coefficients[place]
+    return [table[: k + 1, : k + 1].det() for k in range(size)]
+'''
+NAMES = ["minors", "polynomial", "coefficients", "size", "table", "row", "column", "place", "k"]
+
+
+def _shapes(*cells, pristine=()):
+    return copying.shapes(json.dumps({"cells": cells, "pristine": pristine}).encode())
+
+
+def _renamed(code):
+    for k, name in enumerate(NAMES):
+        code = re.sub(rf"\b{name}\b", f"x{k}", code)
+    return code
+
+
+def test_renaming_variables_changes_no_shape():
+    renamed = _renamed(CODE).replace('"""Return the Hurwitz determinants."""', "# mine")
+    assert len(_shapes(CODE)) >= 6 and _shapes(CODE).keys() == _shapes(renamed).keys()
+    # Another thought has another shape; so has the same one with other data or functions.
+    other = "def f(p):\n    q = sp.Poly(p, s)\n    m = sp.Matrix(q.all_coeffs())\n    return m.T * m + m\n"
+    assert not _shapes(CODE).keys() & _shapes(other).keys()
+    changed = CODE.replace("sp.", "np.").replace("range", "reversed").replace("<=", "<")
+    assert not _shapes(CODE).keys() & _shapes(changed).keys()
+    # What was handed out is nobody's.
+    assert _shapes(CODE, "a_region = ...", pristine=[CODE, "a_region = ..."]) == {}
+
+
+@pytest.mark.parametrize(
+    "cell", ["(" * 100_000, f"x = {'-' * 100_000}1", "%run x\ndef f(:", "\0", "x = '\ud800'"]
+)
+def test_cells_that_cannot_be_parsed_have_no_shape(cell):
+    with LimitedProcess(copying.shapes) as process:
+        request = json.dumps({"cells": [cell, CODE], "pristine": []}).encode()
+        try:
+            assert process.call(copying.shapes, request).keys() >= _shapes(CODE).keys()
+        except LimitError:
+            assert len(cell) > 1000
+        request = json.dumps({"cells": [CODE], "pristine": []}).encode()
+        assert process.call(copying.shapes, request) == _shapes(CODE)
+
+
+def test_renamed_code_is_shown_with_how_common_it_is(class_of_forty, store, homework):
+    common = (
+        "import numpy as np\nvalues = [1, 2]\nfor v in values:\n    print(v**2 + 1, v - 3, [v])\n"
+    )
+    own_code = {f"s{k:02}": copying.OwnCode(set(), _shapes(common)) for k in range(40)}
+    own_code |= {
+        "ann": copying.OwnCode(set(), _shapes(common, CODE)),
+        "cid": copying.OwnCode(set(), _shapes(_renamed(CODE))),
+    }
+    class_scores = scores(store, homework)
+    (_, pair) = copying.pairs(class_scores, own_code)
+    assert pair.students == ("ann", "cid") and pair.kind == copying.SHAPES
+    assert {students for _, students in pair.shared} == {2}
+    page = summary(homework, class_scores, pairs=[pair])
+    assert "whatever their variables are called" in page and "= len(" in page
+    assert "This decides nothing" in page
+
+
+def test_shapes_are_found_once_and_stored(tmp_path, monkeypatch):
+    """A class is read again in seconds: only new notebooks are parsed."""
+    for student, code in [("ann", CODE), ("bob", _renamed(CODE))]:
+        hand_in(tmp_path, student, "1.15", {"a_region": f"1\n{code}"})
+    entries = list(submissions.find(tmp_path / "submitted"))
+    homeworks, _ = course._homeworks(entries, {})
+    copies, aside = course._by_attempt(entries, homeworks, {}, {})
+    with Store(tmp_path / "grades.sqlite") as store:
+        first = course._plan(copies, aside, homeworks, store, Limits())
+        monkeypatch.setattr(LimitedProcess, "call", None)
+        again = course._plan(copies, aside, homeworks, store, Limits())
+    assert first.own_code == again.own_code
+    ann, bob = (first.own_code["hw1"][name] for name in ("ann", "bob"))
+    assert ann.lines != bob.lines and ann.shapes.keys() == bob.shapes.keys() and ann.shapes

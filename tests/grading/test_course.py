@@ -15,12 +15,12 @@ from workbook.checks.contract.verdict import Verdict
 from workbook.grading import commands
 from workbook.grading.course import course, ledger
 from workbook.grading.course.assignment import InputError
-from workbook.grading.course.store import Store
+from workbook.grading.course.store import HandPoints, Store
 from workbook.grading.pool import fingerprint, grader, worker_pool
 from workbook.grading.pool.judging import Judgement, grader_failure
 from workbook.grading.reports.scores import scores
 from workbook.grading.sandbox import forkserver, preloading
-from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 
 
@@ -36,13 +36,13 @@ def failing_workers(monkeypatch):
 
     def grade_all(tasks, count, settings, forkserver=None):
         for task in tasks:
-            broken = any(name in "".join(task["sources"]) for name in words)
+            broken = any(name in "".join(task.sources) for name in words)
             judgement = (
-                grader_failure(task["names"], "it died")
+                grader_failure(task.names, "it died")
                 if broken
-                else Judgement({name: Verdict("right", "yes") for name in task["names"]}, {}, ())
+                else Judgement({name: Verdict("right", "yes") for name in task.names}, {}, ())
             )
-            yield task["key"], grader.to_plain(judgement)
+            yield task.key, grader.to_plain(judgement)
 
     monkeypatch.setattr(worker_pool, "grade_all", grade_all)
     return words
@@ -80,7 +80,7 @@ def test_only_a_first_run_imports_while_it_reads(tmp_path, failing_workers, monk
         load = close = lambda *_: None
 
     monkeypatch.setattr(
-        course.Forkserver, "start", lambda modules: started.append(modules) or Stub()
+        forkserver.Forkserver, "start", lambda modules: started.append(modules) or Stub()
     )
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     course.grade(tmp_path / "submitted", tmp_path)
@@ -94,7 +94,7 @@ def test_a_worker_process_that_dies_is_replaced(tmp_path, monkeypatch):
         forkserver,
         "START",
         "import os\nfrom workbook.grading.pool import grader\nreal = grader.Grader.grade\n"
-        "grader.Grader.grade = lambda self, task: os._exit(1) if 'DIE' in ''.join(task['sources']) "
+        "grader.Grader.grade = lambda self, task: os._exit(1) if 'DIE' in ''.join(task.sources) "
         "else real(self, task)\n" + forkserver.START,
     )
     for student, answers in (
@@ -159,11 +159,11 @@ def by_content(monkeypatch):
 
     def grade_all(tasks, count, settings, forkserver=None):
         for task in tasks:
-            status = "right" if "GOOD" in "".join(task["sources"]) else "wrong"
+            status = "right" if "GOOD" in "".join(task.sources) else "wrong"
             yield (
-                task["key"],
+                task.key,
                 grader.to_plain(
-                    Judgement({name: Verdict(status, "") for name in task["names"]}, {}, ())
+                    Judgement({name: Verdict(status, "") for name in task.names}, {}, ())
                 ),
             )
 
@@ -224,7 +224,7 @@ def test_the_last_attempt_is_so_by_the_ledger(tmp_path, by_content, first, secon
                 "hw1", "ann", file=name, submitted=when, late=late, source=name, collected=DUE + k
             )
         )
-    noted.write()
+    (tmp_path / "submitted" / ledger.NAME).write_text(noted.text(), encoding="utf-8")
     assert run(tmp_path)[1:] == ({"ann": expected[0]}, {"ann": expected[1]})
     # A time that is put right counts by the next run, and nothing is graded again.
     path = tmp_path / "submitted" / ledger.NAME
@@ -255,7 +255,9 @@ def test_a_homework_folder_of_an_invalid_name_stops_nothing(tmp_path, by_content
     os.makedirs(folder)
     Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(normal.read_bytes())
     done = commands.grade_course(
-        tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
+        commands.GradingOptions(
+            tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
+        )
     )
     assert done["assignments"]["hw1"] == {"ann": 5, "eve": 0}
     assert len(done["left aside"]) == (name != b".grading")
@@ -275,7 +277,7 @@ def test_a_store_that_is_full_or_no_database_is_an_error(tmp_path, by_content):
     with pytest.raises(InputError, match=full), Store(tmp_path / "grades.sqlite") as store:
         store._database.execute("PRAGMA max_page_count = 1")
         for k in range(1000):
-            store.set_manual("ann", "hw1", "1.15", f"a{k}", 1.0, "x" * 1000)
+            store.set_points({("ann", "hw1", "1.15", f"a{k}"): HandPoints(1.0, "x" * 1000)})
     assert run(tmp_path)[:2] == (0, {"ann": 5})
     (tmp_path / "graded").mkdir()
     (tmp_path / "graded" / "grades.sqlite").write_text("this is something else " * 100)

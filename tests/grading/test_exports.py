@@ -18,6 +18,7 @@ from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.course import collecting, ledger
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.record import Change
+from workbook.grading.course.store import HandPoints
 from workbook.grading.reports import canvas, exporting, handing_back
 from workbook.grading.reports.canvas import Gradebook
 from workbook.grading.reports.scores import scores
@@ -57,7 +58,7 @@ def small(store, homework):
     graded(store, "ann", "1.18", {"a_region": RIGHT, "b_region": RIGHT}, BEFORE)
     graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": WRONG}, AFTER)
     graded(store, "cid", "1.18", {"a_region": UNCHECKED, "b_region": RIGHT}, BEFORE)
-    store.set_manual("bob", "hw1", "1.18", "a_region", 0.5, 'on paper; "almost"')
+    store.set_points({("bob", "hw1", "1.18", "a_region"): HandPoints(0.5, 'on paper; "almost"')})
     return scores(store, homework, ["dan"])
 
 
@@ -77,18 +78,21 @@ def rows(text, delimiter=","):
 
 def test_grades_csv(small, homework):
     assert exporting.grades_csv(homework, small) == (
-        '\ufeff"student","1.17","1.18","total","max","handed in","late","time unknown","needs '
-        'review"\r\n'
-        '"ann","5.00","2.00","7.00","7.00","yes","","","no"\r\n'
-        '"bob","2.50","0.50","3.00","7.00","yes","1.17","","no"\r\n'
-        '"cid","0.00","1.00","1.00","7.00","yes","","","yes"\r\n'
-        '"dan","0.00","0.00","0.00","7.00","no","","","no"\r\n'
+        '\ufeff"student","1.17","1.18","total","before lateness","max","handed in","late",'
+        '"grace days used","time unknown","needs review"\r\n'
+        '"ann","5.00","2.00","7.00","7.00","7.00","yes","","","","no"\r\n'
+        '"bob","2.50","0.50","3.00","3.00","7.00","yes","1.17","","","no"\r\n'
+        '"cid","0.00","1.00","1.00","1.00","7.00","yes","","","","yes"\r\n'
+        '"dan","0.00","0.00","0.00","0.00","7.00","no","","","","no"\r\n'
     )
 
 
 def test_moodle_csv(small, homework):
     """A student without a grade has no row: feedback without a grade would delete one."""
-    assert exporting.moodle_csv(homework, small) == (
+    before = exporting.moodle_csv(homework, small, homework.due.timestamp())
+    after = exporting.moodle_csv(homework, small, homework.due.timestamp() + 1)
+    assert after == before + '"dan","0.00","nothing was handed in"\r\n', "absent when it was due"
+    assert before == (
         '"ID number","Homework 1, stability","Homework 1, stability (feedback)"\r\n'
         '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 '
         'b_region: right"\r\n'
@@ -204,7 +208,7 @@ def test_files_that_are_no_roster(tmp_path, text):
 def test_a_roster_that_cannot_be_read(tmp_path):
     with pytest.raises(InputError, match="No such file"):
         canvas.read_roster(tmp_path / "canvas.csv")
-    (tmp_path / "canvas.csv").write_bytes(b"Student,ID,Section\nZo\xeb,1,A\n")
+    (tmp_path / "canvas.csv").write_bytes(b"PK\x03\x04\x14\x00Student,ID,Section\nZo\xeb,1,A\n")
     with pytest.raises(InputError, match="not CSV in UTF-8"):
         canvas.read_roster(tmp_path / "canvas.csv")
 

@@ -14,9 +14,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook
 
 from workbook.grading.course import submissions
-from workbook.grading.pool.grader import Grader, _missing_data_cells
+from workbook.grading.pool.grader import Grader, Task, _missing_data_cells
+from workbook.grading.sandbox.limits import Limits
 from workbook.grading.sandbox.preloading import ALWAYS
-from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.sandbox.sandbox import Sandbox
 from workbook.notebooks import exercises
 
 EXERCISE = exercises.find("1.15")
@@ -25,7 +26,7 @@ NAMES = list(EXERCISE.about["answers"])
 
 @pytest.fixture(scope="module")
 def grader():
-    with Grader(Limits(cpu_seconds=20, wall_seconds=200)) as ready:
+    with Grader(Sandbox(Limits(cpu_seconds=20, wall_seconds=200))) as ready:
         yield ready
 
 
@@ -58,9 +59,7 @@ def graded(grader, nb, folder, name="ch1-p15.ipynb"):
     path.write_bytes(nb if isinstance(nb, bytes) else json.dumps(nb).encode())
     (submission,) = submissions.find(folder / "submitted")
     assert submission.trouble == "" and submission.problem == "1.15"
-    return grader.grade(
-        {"problem": "1.15", "direction": True, "sources": EXERCISE.sources_to_run(submission.cells)}
-    )
+    return grader.grade(Task("1.15", True, EXERCISE.sources_to_run(submission.cells)))
 
 
 def full_marks(result):
@@ -385,7 +384,7 @@ def test_a_slow_machine_costs_nothing(tmp_path):
         multiprocessing.get_context("fork").Process(target=_keep_busy, daemon=True)
         for _ in range(6)
     ]
-    with Grader(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS) as grader:
+    with Grader(Sandbox(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS)) as grader:
         for other in others:
             other.start()
         try:

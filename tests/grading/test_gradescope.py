@@ -17,6 +17,7 @@ import stat
 import subprocess
 import sys
 import zipfile
+from datetime import datetime
 from importlib import metadata
 from pathlib import Path
 
@@ -30,6 +31,7 @@ from classroom import RIGHT_1_15, notebook, write_assignment
 from workbook.authoring import read, read_all
 from workbook.authoring.contract import master_file
 from workbook.authoring.mistakes import mistake_sentence
+from workbook.cli import app
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.assignment import AssignmentError
 from workbook.grading.gradescope import autograder, bundle
@@ -141,51 +143,131 @@ def wheel_name(bundled):
     "rule, earlier, now, points, message",
     [
         ('attempt = "best"', [], 3.0, 3.0, ""),
-        ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"),
+        ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "1.15: an earlier attempt of yours counts: 5 p"),
         ('attempt = "best"', [2.0], 3.0, 3.0, ""),
         ('attempt = "last"', [5.0], 3.0, 3.0, ""),
+        ('attempt = "last"', [5.0], None, 5.0, "1.15: an earlier attempt of yours counts: 5 p"),
+        ('attempt = "best"', [None, None], 3.0, 3.0, ""),
         (
             'attempt = "best"\nattempts = 2',
             [1.0, 2.0],
             5.0,
             2.0,
-            "This is attempt 3; the first 2 count",
+            "1.15: this is attempt 3; the first 2 count: 2 points",
         ),
         (
             'attempt = "last"\nattempts = 2',
-            [4.0, 2.0],
+            [4.0, None, 2.0],
             5.0,
             2.0,
-            "This is attempt 3; the first 2 count",
+            "1.15: this is attempt 3; the first 2 count: 2 points",
         ),
     ],
 )
-def test_which_attempt_counts(tmp_path, rule, earlier, now, points, message):
-    homework = assignments.read(write_assignment(tmp_path, f'{rule}\nproblems = ["1.15"]'))
-    counted, sentences = autograder._counting_points(homework, earlier, now)
-    assert counted == points and message in " ".join(sentences) and bool(message) == bool(sentences)
+@pytest.mark.parametrize("kept", [False, True])
+def test_which_attempt_counts(tmp_path, rule, earlier, now, points, message, kept):
+    """Nothing is said of points with an answer that only the grading judges."""
+    text = f'{rule}\nproblems = ["1.15", "1.17"]\nkept_for_grading = {["1.15.e_region"] * kept}'
+    homework = assignments.read(write_assignment(tmp_path, text))
+    by_problem = [{"1.15": p} if p is not None else {} for p in [*earlier, now]]
+    counted, sentences = autograder.counting_points(homework, by_problem[:-1], by_problem[-1])
+    said = " ".join(sentences)
+    assert counted == points
+    if not kept:
+        assert message in said and bool(message) == bool(sentences)
+    else:
+        assert "points" not in said and "earlier" not in said
+
+
+def test_each_problem_has_its_best_attempt_as_in_a_course(tmp_path):
+    homework = assignments.read(write_assignment(tmp_path, 'problems = ["1.15", "1.17"]'))
+    earlier = [{"1.15": 4.0, "1.17": 0.0}, {"1.17": 1.5}]
+    counted, sentences = autograder.counting_points(homework, earlier, {"1.15": 3.0, "1.17": 2.0})
+    assert counted == 6 and sentences == ["1.15: an earlier attempt of yours counts: 4 points."]
+
+
+POLICY = (
+    'problems = ["1.15", "1.17"]\ndue = 2026-10-01T23:59:00+03:00\n[late]\nper_day = 0.1\n'
+    '[early]\ndays = 7\nshare = 1.1\n[by_hand]\nsketch = {points = 2, text = "on paper"}\n'
+    '[labels]\nslow = ["bob@uni.example", "cid"]\n[extensions]\nslow = 2026-10-04T23:59:00+03:00\n'
+    '[exemptions]\n"ann@uni.example" = ["1.17"]\n'
+)
+
+
+@pytest.mark.parametrize(
+    "metadata, student, submitted, earlier",
+    [
+        ("", "student", None, []),
+        ("[]", "student", None, []),
+        ('{"users": [{"email": "Ann@Uni.example"}]}', "ann@uni.example", None, []),
+        (
+            '{"users": [{"email": "x@uni.example"}, {"email": "bob@uni.example"}], '
+            '"created_at": "2026-10-01T13:59:00.5-07:00", "previous_submissions": [1]}',
+            "bob@uni.example",
+            1790888340.5,
+            [],
+        ),
+        ('{"created_at": "yesterday", "users": []}', "student", None, []),
+    ],
+)
+def test_what_gradescope_says_of_a_submission(tmp_path, metadata, student, submitted, earlier):
+    homework = assignments.read(write_assignment(tmp_path, POLICY))
+    (tmp_path / "about.json").write_text(metadata)
+    read = autograder.read_metadata(tmp_path / "about.json", homework.policy)
+    assert read == autograder.HandIn(student, submitted, earlier)
+    assert autograder.read_metadata(tmp_path / "no.json", homework.policy).student == "student"
 
 
 def test_earlier_submissions_are_those_that_were_graded(tmp_path):
-    path = tmp_path / "submission_metadata.json"
-    graded, failed = {"tests": [{"score": 1}]}, {"score": 0, "output": "The grader itself failed"}
-    previous = [
-        {"score": "2.5", "results": graded},
-        {"score": 0, "results": failed},
-        {"score": None, "results": graded},
-    ]
-    path.write_text(json.dumps({"previous_submissions": previous}))
-    assert autograder._earlier(path) == [2.5, 0.0]
-    for broken in (
-        "",
-        "[]",
-        "{}",
-        '{"previous_submissions": [1]}',
-        '{"previous_submissions": null}',
+    homework = assignments.read(write_assignment(tmp_path, POLICY))
+    graded = {
+        "tests": [
+            {"name": "1.15 a_region", "score": "1.5", "output": "right: it holds"},
+            {"name": "1.15 b_region", "score": None, "output": "unchecked: the check failed"},
+            {"name": "1.17 a_region", "score": 0, "output": autograder.NOT_TRIED[0]},
+        ]
+    }
+    failed = {"score": 0, "output": "The grader itself failed"}
+    previous = [{"results": graded}, {"results": failed}, {"results": None}]
+    (tmp_path / "about.json").write_text(json.dumps({"previous_submissions": previous}))
+    read = autograder.read_metadata(tmp_path / "about.json", homework.policy)
+    assert read.earlier == [{"1.15": 1.5}]
+
+
+@pytest.mark.parametrize(
+    "student, submitted, sentences",
+    [
+        ("bob@uni.example", "2026-10-04T23:00:00+03:00", []),
+        ("dan@uni.example", "2026-10-02T23:00:00+03:00", ["1 day after the due date"]),
+        ("dan@uni.example", "2026-09-20T23:00:00+03:00", ["right answers have 1.1 times"]),
+        ("dan@uni.example", None, ["not known when"]),
+        ("ann@uni.example", "2026-10-01T23:00:00+03:00", ["Not asked of you: 1.17;"]),
+    ],
+)
+def test_the_policy_is_told(tmp_path, student, submitted, sentences):
+    homework = assignments.read(write_assignment(tmp_path, POLICY)).automatic
+    seconds = datetime.fromisoformat(submitted).timestamp() if submitted else None
+    notes = autograder.policy_notes(homework, autograder.HandIn(student, seconds, []))
+    assert len(notes) == len(sentences)
+    assert all(words in note for words, note in zip(sentences, notes))
+
+
+def test_what_gradescope_cannot_do_is_named(tmp_path, capsys):
+    policy = POLICY.replace("due =", "grace_days = 3\nbudget.notebooks = 9\ndue =", 1)
+    assert policy != POLICY
+    write_assignment(tmp_path, policy)
+    command = ["assignment", "gradescope", "hw1", "--out", str(tmp_path / "b.zip")]
+    app([*command, "--assignments", str(tmp_path / "assignments")], standalone_mode=False)
+    output = capsys.readouterr().out
+    assert "an autograder for hw1, 7 points;" in output
+    for words in (
+        "points by hand are given at Gradescope: sketch (2)",
+        "extensions, exemptions and labels do not reach cid\n",
+        "allow late submissions: lateness, bonus and extensions count as assignment.toml says",
+        "grace_days of the course are not applied there",
+        "[budget] does not hold there",
     ):
-        path.write_text(broken)
-        assert autograder._earlier(path) == []
-    assert autograder._earlier(tmp_path / "nowhere") == []
+        assert words in output
 
 
 def test_the_limits_of_all_notebooks_fit_gradescopes_timeout():
@@ -224,7 +306,8 @@ def installed(archive, tmp_path_factory):
     for name in sorted(requirements("trajlib", "workbook") - {"trajlib"}):
         put_into_wheel(metadata.distribution(name), wheels)
     programs(outside, PYTHON)
-    (outside / PYTHON).unlink()  # the real one is found behind it
+    # The real one is found behind one that only root can run.
+    (outside / PYTHON).chmod(0o700)
     container = Container(outside / "autograder", folder, archive)
     done = container.run(
         "/autograder/source/setup.sh",
@@ -237,7 +320,8 @@ def installed(archive, tmp_path_factory):
         },
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert (outside / "log").read_text().endswith(USER_ADDED)
+    assert (outside / "log").read_text().startswith(USER_ADDED)
+    assert done.stdout.endswith("a notebook can be run as the user workbook-student\n")
     shutil.rmtree(wheels)
     return folder
 
@@ -453,21 +537,34 @@ def test_a_submission(container):
 
 
 def test_an_earlier_better_attempt_counts(container):
-    container.metadata(
-        [
-            {
-                "submission_time": "2026-01-01T00:00:00Z",
-                "score": 9.5,
-                "results": {"tests": [{"score": 9.5}]},
-            }
-        ]
-    )
+    tests = [{"name": "1.15 a_region", "score": 9.5, "output": "right: it holds"}]
+    container.metadata([{"submission_time": "2026-01-01T00:00:00Z", "results": {"tests": tests}}])
     container.submit("folder/ch1-p15.ipynb", notebook("1.15", HALF))
     result, _ = container.grade()
     assert (
         result["score"] == 9.5
-        and "An earlier attempt of yours was better and counts: 9.5 points." in result["output"]
+        and "1.15: an earlier attempt of yours counts: 9.5 points." in result["output"]
     )
+
+
+def test_of_what_is_handed_in_at_once_one_notebook_counts(container):
+    container.submit("ch1-p15 (1).ipynb", notebook("1.15", RIGHT_1_15))
+    container.submit("ch1-p15.ipynb", notebook("1.15", HALF))
+    result, _ = container.grade()
+    assert result["score"] == 8
+    assert "left aside: ch1-p15 (1).ipynb: of what is handed in at once" in result["output"]
+
+
+def test_lateness_is_that_of_the_assignment(container):
+    source = container.root / "source" / "assignment.toml"
+    source.write_text(f"{HOMEWORK}[late]\nper_day = 0.1\n")
+    about = json.loads((container.root / "submission_metadata.json").read_text())
+    about["created_at"] = "2020-01-01T12:00:00Z"
+    (container.root / "submission_metadata.json").write_text(json.dumps(about))
+    container.submit("ch1-p15.ipynb", notebook("1.15", HALF))
+    result, _ = container.grade()
+    assert result["score"] == pytest.approx(0.9 * 8)
+    assert "Handed in 1 day after the due date" in result["output"]
 
 
 def test_a_submission_without_a_notebook(container):
@@ -616,15 +713,31 @@ def test_processes_of_a_notebook_end_with_it(container):
         "raise RuntimeError(f'{len(mine)} process of mine')"
     )
     container.submit("ch1-p15.ipynb", with_cell("1.15", RIGHT_1_15, daemon))
-    container.submit("ch1-p17.ipynb", with_cell("1.17", {}, look))
+    looking = with_cell("1.17", {}, look)
+    container.submit("ch1-p17.ipynb", looking)
     result, _ = container.grade()
-    assert (
-        result["score"] == 10
-        and "1.17: notebook: code cell 7: RuntimeError: 1 process of mine" in result["output"]
-    ), result["output"]
+    place = sum(cell["cell_type"] == "code" for cell in looking["cells"])
+    error = f"1.17: notebook: code cell {place}: RuntimeError: 1 process of mine"
+    assert result["score"] == 10 and error in result["output"], result["output"]
 
 
 # setup.sh
+
+
+def test_the_trial_fails_where_a_notebook_lacks_a_library(container):
+    library = next(container._installed.glob("lib/python3*/site-packages/casadi"))
+    library.rename(library.with_name("away"))
+    try:
+        done = container.run(
+            "/opt/workbook/bin/python",
+            "-I",
+            "-c",
+            "from workbook.grading.gradescope import autograder; autograder.trial()",
+        )
+    finally:
+        library.with_name("away").rename(library)
+    assert done.returncode == 1
+    assert "a notebook cannot be run as the user workbook-student: " in done.stderr
 
 
 @pytest.mark.parametrize(
@@ -638,11 +751,19 @@ def test_processes_of_a_notebook_end_with_it(container):
 def test_setup(tmp_path, archive, has, message):
     """setup.sh asks the right things of the system, and ends if it has no suitable Python."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
+    (tmp_path / "setpriv").write_text('#!/bin/bash\nshift 5\nexec "$@"\n')
+    (tmp_path / "id").write_text("#!/bin/bash\necho 1\n")
+    # The first Python on the path is one that the student's user cannot run.
+    (tmp_path / "root").mkdir()
+    for version in ("3.11", "3.12"):
+        (tmp_path / "root" / f"python{version}").write_text("#!/bin/bash\nexit 1\n")
+    for path in (tmp_path / "setpriv", tmp_path / "id", *(tmp_path / "root").iterdir()):
+        path.chmod(0o755)
     with zipfile.ZipFile(archive) as bundled:
-        script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/pip", "echo")
+        script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/", "echo ")
     done = subprocess.run(
         ["bash", "-c", script],
-        env={"PATH": f"{tmp_path}:/usr/bin:/bin"},
+        env={"PATH": f"{tmp_path}/root:{tmp_path}:/usr/bin:/bin"},
         capture_output=True,
         text=True,
         timeout=60,
@@ -650,12 +771,13 @@ def test_setup(tmp_path, archive, has, message):
     assert message in (log.read_text() if has else done.stderr) and done.returncode == (
         0 if has else 1
     )
+    assert log.read_text().startswith(USER_ADDED)
     if has:
         assert (
             "install --no-cache-dir --constraint /autograder/source/constraints.txt "
             "/autograder/source/trajlib-*.whl[workbook]" in done.stdout
         )
-        assert log.read_text().endswith(USER_ADDED)
+        assert done.stdout.rstrip().endswith("autograder.trial()")
 
 
 def programs(folder, has, *others):

@@ -20,7 +20,7 @@ from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG
 from workbook.grading.pool import judging
 from workbook.grading.pool.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge
-from workbook.grading.sandbox.sandbox import Outcome
+from workbook.grading.sandbox.limits import Outcome
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import CONTEXT, decoded, in_child, judge_cells
 
@@ -397,7 +397,7 @@ def _tower(value):
 def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
     """As a condition, and as an expression in another exercise."""
     fuel = exercises.find("5.25")
-    before = judging._cpu_seconds_of_children()
+    before = judging._seconds_of_children()
     for exercise, answers in (
         (EXERCISE, dict.fromkeys(NAMES, huge > k2)),
         (fuel, {"cost": huge.subs(k1, sp.Symbol("a"))}),
@@ -410,11 +410,11 @@ def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
             "grows too fast to be computed with" in judgement.verdicts[name].message
             for name in answers
         )
-    assert judging._cpu_seconds_of_children() - before < 6
+    assert judging._seconds_of_children() - before < 6
 
 
 def test_a_notebook_full_of_exploding_answers_is_bounded_in_time():
-    before = judging._cpu_seconds_of_children()
+    before = judging._seconds_of_children()
     judgement = judged(
         handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=8, answer_seconds=6)
     )
@@ -423,7 +423,7 @@ def test_a_notebook_full_of_exploding_answers_is_bounded_in_time():
     )
     assert all("took longer than" in verdict.message for verdict in judgement.verdicts.values())
     # The kernel counts in whole seconds, once for all answers and once for each alone.
-    assert judging._cpu_seconds_of_children() - before < 8 + 2 * (1 + len(NAMES))
+    assert judging._seconds_of_children() - before < 8 + 2 * (1 + len(NAMES))
     # Where less than a second is left for the answers one by one, none of them is begun.
     judgement = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
     assert {verdict.message.partition(";")[0] for verdict in judgement.verdicts.values()} == {
@@ -638,10 +638,11 @@ def _remembered():
 
 
 HOW_A_GRADER_ENDS = """
-from workbook.grading.pool.grader import Grader
+from workbook.grading.pool.grader import Grader, Task
 from workbook.grading.sandbox.preloading import ALWAYS
-with Grader(modules=ALWAYS) as grader:
-    graded = grader.grade({"problem": "1.15", "direction": True, "sources": ["a_region = 1"]})
+from workbook.grading.sandbox.sandbox import Sandbox
+with Grader(Sandbox(modules=ALWAYS)) as grader:
+    graded = grader.grade(Task("1.15", True, ["a_region = 1"]))
     worker = grader._sandbox._worker
 print(graded["verdicts"]["a_region"]["status"], worker.returncode >= 0)
 """

@@ -12,8 +12,10 @@ from classroom import hand_in
 from workbook.grading.course import ledger, submissions
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.ledger import Entry, Ledger
+from workbook.grading.course.transaction import transaction
 
 NOON = datetime(2026, 9, 30, 12).timestamp()
+OFFSET = datetime(2026, 9, 30, 12).astimezone().isoformat()[-6:]
 COLLECTED = datetime(2026, 10, 2, 9).timestamp()
 
 
@@ -33,9 +35,10 @@ def entry(file="a.ipynb", source="x/a.ipynb", **facts):
 def added(folder, *entries):
     """Add entries, each in a run of its own, and return all that are there."""
     for each in entries:
-        kept = Ledger(folder)
-        kept.add(each)
-        kept.write()
+        with transaction(folder, ledger.NAME) as current:
+            kept = Ledger(folder)
+            kept.add(each)
+            current.record(kept.text())
     return ledger.read(folder)
 
 
@@ -72,8 +75,21 @@ def test_through_a_spreadsheet(tmp_path):
     assert ledger.read(tmp_path) == written
 
 
+def test_through_a_russian_spreadsheet(tmp_path):
+    written = added(tmp_path, entry(submitted=NOON, student="Иванов Пётр_101"))
+    text = (tmp_path / ledger.NAME).read_text(encoding="utf-8-sig").replace('"', "")
+    (tmp_path / ledger.NAME).write_bytes(text.replace(",", ";").encode("cp1251"))
+    assert ledger.read(tmp_path) == written
+
+
 @pytest.mark.parametrize(
-    "old, new", [("student", "who"), ("2026-09-30", "30.9.26"), ('"yes"', '"perhaps"')]
+    "old, new",
+    [
+        ("student", "who"),
+        ("2026-09-30", "30.9.26"),
+        ('"yes"', '"perhaps"'),
+        (f"12:00:00{OFFSET}", "12:00:00"),
+    ],
 )
 def test_a_ledger_that_cannot_be_read(tmp_path, old, new):
     added(tmp_path, entry(submitted=NOON), entry("b.ipynb", late=True))
@@ -93,6 +109,7 @@ ABSENT, TROUBLE = entry(""), entry("", trouble="it is damaged")
         ([UNTIMED, UNTIMED], [UNTIMED]),
         ([UNTIMED, TIMED], [TIMED]),
         ([TIMED, UNTIMED], [TIMED]),
+        ([TIMED, entry(late=True)], [TIMED]),
         ([TIMED, TIMED], [TIMED]),
         ([TIMED, LATER, TIMED], [TIMED, LATER]),
         ([entry(late=False), entry(late=True)], [entry(late=True)]),

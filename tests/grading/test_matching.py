@@ -9,7 +9,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, hand_in
 
-from workbook.grading.course import matching, submissions
+from workbook.grading.course import course, matching, submissions
 from workbook.grading.gradescope import autograder
 from workbook.grading.sandbox import submitted_file
 
@@ -55,6 +55,31 @@ def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
             "1.17",
         )
     )
+
+
+@pytest.mark.parametrize(
+    "name, problem",
+    [
+        ("Petrov 1.15.ipynb", "1.15"),
+        ("Петров_1_15 (2).ipynb", "1.15"),
+        ("hw1 Petrov 1-p15 final.ipynb", "1.15"),
+        ("Petrov 1.15 and 1.17.ipynb", None),
+        ("Petrov 1.15.2026.ipynb", None),
+        ("Petrov 11.15.ipynb", None),
+        ("Petrov 2026-1.15.ipynb", None),
+        ("Petrov 1.18.ipynb", None),
+        ("Petrov.ipynb", None),
+    ],
+)
+def test_a_number_anywhere_in_a_name(tmp_path, name, problem):
+    """Without metadata a name decides if it has the number of one problem of the homework."""
+    homework = an_assignment(tmp_path, 'problems = ["1.15", "1.17"]')
+    without_metadata(hand_in(tmp_path, "ann", "1.15", {}, name=name))
+    (submission,) = found(tmp_path)
+    answer = matching.problem_for(submission, homework)
+    assert answer == problem if problem else "which problem of the homework" in answer.reason
+    copies, _ = course._by_attempt([submission], {"hw1": homework}, {}, {})
+    assert course._assumed(copies) == ({problem: [submission.path]} if problem else {})
 
 
 def test_a_homework_of_one_problem_on_gradescope(tmp_path):

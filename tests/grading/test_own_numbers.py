@@ -219,24 +219,26 @@ def test_each_student_has_one_problem_of_a_pool(tmp_path):
 
     submit("ann")
     submit("ben")  # right, and not asked of him
-    grade = [tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True]
+    grade = commands.GradingOptions(
+        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+    )
     if table["ann"]["pool"] == table["ben"]["pool"]:  # their folders are those of the draw
         with pytest.raises(InputError, match="ch1-p(18|04).ipynb: numbers.csv says 1"):
-            commands.grade_course(*grade)
+            commands.grade_course(grade)
     student_folders.hand_out(assignments, "hw1")
     folders = assignments / "hw1" / "students"
     assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p04.ipynb"]
-    result = commands.grade_course(*grade)
+    result = commands.grade_course(grade)
     assert result["assignments"]["hw1"] == {"ann": 2.0, "ben": 0.0}
     assert [reason for _, reason in result["left aside"]] == [
         "numbers.csv says 1.4 for ben, not 1.18"
     ]
     path.write_text("student,pool\nann,2.4\n", encoding="utf-8")
     with pytest.raises(InputError, match="2.4, which ann has, is not in the pool"):
-        commands.grade_course(*grade)
+        commands.grade_course(grade)
     path.unlink()
     with pytest.raises(InputError, match="who has which problem of the pool"):
-        commands.grade_course(*grade)
+        commands.grade_course(grade)
 
 
 def test_a_notebook_for_all_does_not_decide(tmp_path, monkeypatch):
@@ -269,7 +271,9 @@ def test_a_notebook_for_all_does_not_decide(tmp_path, monkeypatch):
         target.parent.mkdir(parents=True)
         target.write_text(json.dumps(document), encoding="utf-8")
     result = commands.grade_course(
-        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        commands.GradingOptions(
+            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        )
     )
     assert result["assignments"]["hw1"] == {"ann": 3.0, "ben": 0.0, "cat": 3.0}
 
@@ -287,7 +291,7 @@ def _run_for_all(text, student, monkeypatch):
     for cell in json.loads(text)["cells"]:
         source = "".join(cell["source"])
         tags = cell["metadata"].get("tags", ())
-        if cell["cell_type"] == "code" and not {"setup", "answer", "check"} & set(tags):
+        if cell["cell_type"] == "code" and not {"setup", "answer", "check", "steps"} & set(tags):
             exec(source.replace("student = ...", f"student = {student!r}"), names)
     return [*shown, tuple(names[name] for name in ("weight", "friction", "stiffness"))]
 
@@ -328,11 +332,16 @@ def test_six_students(tmp_path):
         if cell["metadata"].get("tags") == ["data"]:
             cell["source"] = exercises.find("2.4").code("data")[0][1]
     submit("dan", smuggled)
-    submit("eva", solved("eva", RIGHT_2_4 | {"b_unseen": SITE_2_4["b_unseen"]}))
+    submit(
+        "eva",
+        solved("eva", RIGHT_2_4 | {"b_unobservable_states": SITE_2_4["b_unobservable_states"]}),
+    )
     submit("fay", solved("fay", RIGHT_2_4))
 
     result = commands.grade_course(
-        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        commands.GradingOptions(
+            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        )
     )
     assert result["assignments"]["hw1"] == {
         "ann": 3.0,
@@ -348,8 +357,8 @@ def test_six_students(tmp_path):
     summary = (tmp_path / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
     part = summary.partition("Right for other numbers")[2]
     assert part.count("row 0 (the site)") == 3 and "row 1 (" in part
-    everything = "a_observable, b_unobservable, b_unseen"
-    assert part.count(everything) == 3 and part.count("<code>b_unseen</code>") == 1
+    everything = "a_observable, b_unobservable, b_unobservable_states"
+    assert part.count(everything) == 3 and part.count("<code>b_unobservable_states</code>") == 1
     for name in ("ben", "cat"):
         page = next((tmp_path / "graded" / "hw1").rglob(f"*{name}*.html")).read_text("utf-8")
         assert "2.4~" in page and "right for row" not in page
@@ -360,13 +369,17 @@ def test_six_students(tmp_path):
     path.write_text(path.read_text("utf-8").replace("eva,13", "eva,10"), encoding="utf-8")
     with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb: it has other numbers than 2\.4~10"):
         commands.grade_course(
-            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+            commands.GradingOptions(
+                tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+            )
         )
     path.write_text(path.read_text("utf-8").replace("eva,10", "eva,13"), encoding="utf-8")
     # a line added for fay: she is graded, and nobody else again
     path.write_text(path.read_text("utf-8") + f"fay,{rows['fay']}\n", encoding="utf-8")
     again = commands.grade_course(
-        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        commands.GradingOptions(
+            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        )
     )
     assert (again["graded"], again["assignments"]["hw1"]["fay"]) == (1, 3.0)
     lines = csv.DictReader(io.StringIO(path.read_text("utf-8")))
@@ -381,5 +394,5 @@ def _written_out(row):
     return {
         "a_observable": f"sp.Ne({weight}*alpha - beta, {weight**2})",
         "b_unobservable": f"sp.Eq(h**2 - {friction}*h + {stiffness}, 0)",
-        "b_unseen": f"{{{p}: [[1, {-p}]], {q}: [[1, {-q}]]}}",
+        "b_unobservable_states": f"{{{p}: [[1, {-p}]], {q}: [[1, {-q}]]}}",
     }

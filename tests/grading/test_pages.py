@@ -25,7 +25,7 @@ from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.grading import commands
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course.store import Attempt
+from workbook.grading.course.store import Attempt, HandPoints
 from workbook.grading.pool import judging
 from workbook.grading.pool.grader import from_plain, to_plain
 from workbook.grading.reports import points_by_hand
@@ -33,7 +33,7 @@ from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.scores import of_student, scores
 from workbook.grading.reports.summary import summary
-from workbook.grading.sandbox.sandbox import Outcome
+from workbook.grading.sandbox.limits import Outcome
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 
@@ -75,7 +75,7 @@ def test_feedback_has_all_verdicts(store, homework):
         FIVE,
         texts={"a_region": "k1 > 0", "b_region": "k2 < 0", "e_region": "odd"},
     )
-    store.set_manual("ann", "hw1", "1.15", "b_region", 0.5, "the right <idea>")
+    store.set_points({("ann", "hw1", "1.15", "b_region"): HandPoints(0.5, "the right <idea>")})
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
@@ -123,12 +123,12 @@ def test_every_formula_of_a_page_is_typeset(number):
 
 
 def test_each_item_has_its_system(store, homework):
-    page = page_of("2.3", {"b_unseen": Verdict(WRONG, "it is not in the kernel")})
+    page = page_of("2.3", {"b_unobservable_states": Verdict(WRONG, "it is not in the kernel")})
     for letter, end in zip("abcdefghi", "bcdefghi."):
         assert page.count(f"<p>{letter}) ") == 1, end
         assert page.index(f"<p>{letter}) ") < page.index(f"<code>{letter}_")
-    text = re.sub(r"\s+", " ", shown(section(page, "b_unseen")))
-    assert "the same basis for system b ( a_unseen : " in text
+    text = re.sub(r"\s+", " ", shown(section(page, "b_unobservable_states")))
+    assert "the same basis for system b ( a_unobservable_states : " in text
     assert (
         "$" not in with_formulas("$x$ and $\\dot x_1$") and with_formulas("$\\foo<$") == "foo&lt;"
     )
@@ -180,7 +180,7 @@ def test_foreign_text_is_escaped(store, homework):
             {"a_region": HOSTILE, "b_region": HOSTILE},
             [HOSTILE],
         )
-    store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
+    store.set_points({(HOSTILE, "hw1", "1.15", "a_region"): HandPoints(1.0, HOSTILE)})
     class_scores = scores(store, homework)
     for page in (
         *(feedback(homework, score, HOSTILE) for score in class_scores),
@@ -526,7 +526,9 @@ def test_points_typed_into_the_page_come_back(driver, store, tmp_path):
     while not table.exists() and time.monotonic() < deadline:
         time.sleep(0.05)
     assert points_by_hand.import_table(tmp_path / "graded", table) == 1
-    assert store.manual("hw1") == {("ann", "by_hand", "sketch"): (2.5, '=a "good" one; ω')}
+    assert store.manual("hw1") == {
+        ("ann", "by_hand", "sketch"): HandPoints(2.5, '=a "good" one; ω')
+    }
 
 
 #: The least contrast of any text on the page to what lies behind it.

@@ -1,13 +1,16 @@
 """Points by hand: items without a check, tables out and in, and the copy outside the store."""
 
 import base64
+import contextlib
 import csv
 import hashlib
 import html
 import io
 import json
+import random
 import re
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -19,17 +22,20 @@ from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
 from workbook.grading import commands
 from workbook.grading.course import handing_out, submissions, text_cells
 from workbook.grading.course.assignment import AssignmentError, InputError
-from workbook.grading.course.store import COPY, Store
+from workbook.grading.course.store import COPY, HandPoints, Store
 from workbook.grading.pool import grader
 from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.text_page import text_page
+from workbook.notebooks.execution import Child
 
 HOMEWORK = (
     'problems = ["1.17"]\n[by_hand]\nsketch = {points = 3, text = "a sketch of <1.4>, on paper"}\n'
 )
+
+TABLES = ("grades.csv", "moodle.csv", "mail-merge.csv", "grades.json")
 
 
 def grade(tmp_path, store, homework, students=()):
@@ -75,7 +81,9 @@ def test_an_item_has_points_and_a_text(tmp_path, text):
 
 def test_a_table_goes_out_and_comes_back(three, tmp_path, store, homework):
     path = tmp_path / "points.csv"
-    points_by_hand.score_by_hand(tmp_path / "graded", "ann", "hw1", "by_hand", "sketch", 1, "=1+1")
+    points_by_hand.score_by_hand(
+        tmp_path / "graded", "ann", "hw1", "by_hand", "sketch", 1, "=1+1", "Łoś"
+    )
     grade(tmp_path, store, homework, ["cid"])
     assert points_by_hand.export_table(tmp_path / "graded", path) == 3
     header, *lines = rows(path)
@@ -89,7 +97,12 @@ def test_a_table_goes_out_and_comes_back(three, tmp_path, store, homework):
     text = io.StringIO()
     csv.writer(text, delimiter=";").writerows([header, *lines])
     path.write_text(text.getvalue(), encoding="utf-8")
-    assert points_by_hand.import_table(tmp_path / "graded", path) == 2
+    assert points_by_hand.import_table(tmp_path / "graded", path, "Lund") == 2
+    given = store.manual("hw1")
+    assert [given[("ann", *key)].by for key in [("1.17", "a_region"), ("by_hand", "sketch")]] == [
+        "Lund",
+        "Łoś",
+    ]
     after = grade(tmp_path, store, homework, ["cid"])
     assert after["ann"].points == 0.5 + 1 + 1 and after["ann"].answers[0].manual == "half;\nof it"
     assert after["ann"].answers[2].manual == "=1+1" and after["bob"].needs_review
@@ -125,13 +138,13 @@ def test_a_table_without_its_columns_is_refused(three, tmp_path, text):
 def test_a_torn_store_loses_no_points_by_hand(tmp_path):
     path = tmp_path / "graded" / "grades.sqlite"
     entries = {
-        ("ann", "1.17", "a_region"): (0.5, 'half;\n"=of" it'),
-        ("bob", "1.17", "a_region"): (1, ""),
+        ("ann", "1.17", "a_region"): HandPoints(0.5, 'half;\n"=of" it', "Prof. Łoś"),
+        ("bob", "1.17", "a_region"): HandPoints(1),
     }
     with Store(path) as store:
         for (student, *answer), entry in entries.items():
-            store.set_manual(student, "hw1", *answer, *entry)
-        store.set_manual("cid", "hw1", "1.17", "a_region", 1, "")
+            store.set_points({(student, "hw1", *answer): entry})
+        store.set_points({("cid", "hw1", "1.17", "a_region"): HandPoints(1, "")})
         assert store.take_back("cid", "hw1", "1.17", "a_region")
     path.write_bytes(b"torn" + path.read_bytes()[4:])
     with pytest.raises(InputError, match=f"move it away.*run workbook grade.*{COPY}"), Store(path):
@@ -192,3 +205,39 @@ def test_an_answer_cell_turned_into_text_is_reported(tmp_path):
     assert remark.startswith("notebook: a_region stands in a cell of text, which is not run")
     verdicts["a_region"] = Verdict(RIGHT, "")
     assert grader.with_text_cells(Judgement(verdicts, {}, ()), ("a_region",)).remarks == ()
+
+
+def _give(folder, given):
+    for (student, answer), points in given:
+        problem = "by_hand" if answer == "sketch" else "1.17"
+        points_by_hand.score_by_hand(folder, student, "hw1", problem, answer, points, "seen")
+
+
+def test_killed_twenty_times_while_points_are_given(three, tmp_path, store, homework):
+    """The store and its copy are whole after each kill; the tables are as without one."""
+    folder, numbers = tmp_path / "graded", random.Random(3)
+    given = [(("ann", "a_region"), 0.5), (("ann", "sketch"), 2.5), (("bob", "sketch"), 3)]
+    kills = 0
+    while kills < 20:
+        child = Child(_give, folder, 20 * given)
+        killer = threading.Timer(numbers.random() * 0.2, child._process.kill)
+        killer.start()
+        with contextlib.suppress(RuntimeError):
+            child.result(timeout=60)
+        kills += child._process.exitcode not in (0, None)
+        killer.join()
+        child.end()
+        known = {
+            (student, answer): p.points for (student, _, answer), p in store.manual("hw1").items()
+        }
+        assert known.items() <= dict(given).items()
+    _give(folder, given)
+    grade(tmp_path, store, homework, ["cid"])
+    killed = {name: (folder / "hw1" / name).read_text() for name in TABLES}
+    with Store(tmp_path / "calm" / "grades.sqlite") as calm:
+        graded(calm, "ann", "1.17", {"a_region": UNCHECKED, "b_region": RIGHT})
+        graded(calm, "bob", "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+        commands.write(tmp_path / "calm" / "hw1", homework, scores(calm, homework, ["cid"]), "now")
+        _give(tmp_path / "calm", given)
+        commands.write(tmp_path / "calm" / "hw1", homework, scores(calm, homework, ["cid"]), "now")
+    assert killed == {name: (tmp_path / "calm" / "hw1" / name).read_text() for name in TABLES}

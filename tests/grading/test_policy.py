@@ -1,17 +1,21 @@
 """Policies in `assignment.toml`: due dates, bonus, late credit, extensions, exemptions."""
 
+import io
 import sys
 from datetime import datetime
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded
 
-from workbook.checks.contract.verdict import RIGHT, WRONG
+from workbook.checks.contract.verdict import RIGHT, WRONG, Verdict
 from workbook.grading.course import record
+from workbook.grading.course.assignment import InputError
 from workbook.grading.reports import exporting
+from workbook.grading.reports.console_summary import print_summary
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.scores import scores
 
@@ -80,7 +84,8 @@ def test_points_tables_and_pages_follow_the_policy(tmp_path, store, name):
         (score,) = [s for s in scores(store, homework) if s.student == student]
         assert score.points == pytest.approx(share), row
         (line,) = [r for r in exporting.grades_csv(homework, [score]).split("\r\n") if student in r]
-        assert f'"{share:.2f}","{share:.2f}","2.00"' in line, row
+        before = max(share, 1)
+        assert f'"{share:.2f}","{share:.2f}","{before:.2f}","2.00"' in line, row
         assert (f"{share:.0%} of the points" in exporting.moodle_csv(homework, [score])) == (
             share != 1
         )
@@ -112,6 +117,20 @@ def test_an_extension_moves_the_bonus_and_is_on_the_page(tmp_path, store):
     assert "by an extension from 2025-02-15 23:59" in feedback(homework, score)
 
 
+def test_dates_in_the_zone_of_the_homework(tmp_path):
+    """Summer time ends between the two dates."""
+    text = (
+        f'{HOMEWORK}zone = "Europe/Berlin"\ndue = 2026-10-01T23:59:00\n'
+        '[extensions]\n"ann" = 2026-11-01T23:59:00\n"bob" = 2026-11-01T23:59:00+00:00\n'
+    )
+    policy = an_assignment(tmp_path, text).policy
+    dates = [policy.due_of(student).timestamp() for student in ("cid", "ann", "bob")]
+    assert dates == [
+        seconds(text)
+        for text in ("2026-10-01T21:59:00", "2026-11-01T22:59:00", "2026-11-01T23:59:00")
+    ]
+
+
 @pytest.mark.parametrize("timing, untimed", [("in time", True), ("known", False)])
 def test_a_bonus_needs_a_time(tmp_path, store, timing, untimed):
     homework = an_assignment(tmp_path, DUE + "[early]\ndays = 1\nshare = 1.5\n")
@@ -122,12 +141,84 @@ def test_a_bonus_needs_a_time(tmp_path, store, timing, untimed):
     assert ("has no bonus" in feedback(homework, score)) == untimed
 
 
+# Grace days
+
+GRACE = (
+    'problems = ["1.17"]\ndue = {due}\ngrace_days = 3\n[late]\nper_day = 0.25\ncutoff_days = 7\n'
+)
+
+
+def test_grace_days_of_the_course_are_used_up_by_the_earlier_homework(tmp_path, store):
+    first, second = (
+        an_assignment(tmp_path, GRACE.format(due=due), name)
+        for name, due in (("hw1", "2025-02-15T23:59:59Z"), ("hw2", "2025-03-15T23:59:59Z"))
+    )
+    right = {"a_region": RIGHT, "b_region": RIGHT}
+    for name, submitted in [("hw1", "2025-02-17"), ("hw2", "2025-03-19")]:
+        graded(store, "ann", "1.17", right, seconds(submitted), name)
+    graded(store, "bob", "1.17", right, seconds("2025-03-19"), "hw2")
+    (ann,) = scores(store, first)
+    # 2 days late: 2 of 3 grace days, and no points.
+    assert (ann.points, ann.grace_days_used, ann.late) == (2, 2, ("1.17",))
+    assert "uses 2 days of your grace and costs no points" in feedback(first, ann)
+    ann, bob = scores(store, second, grace_days_used={"ann": 2})
+    # 4 days late: ann has one day of grace left and 3 days to pay, bob 3 and 1.
+    assert (ann.points, ann.grace_days_used) == (0.5, 1)
+    assert (bob.points, bob.grace_days_used) == (1.5, 3)
+    assert "4 days after the due date (a day begun counts); 1 day of your grace" in feedback(
+        second, ann
+    )
+    row = exporting.grades_csv(second, [ann]).split("\r\n")[1]
+    assert row == '"ann","0.50","0.50","2.00","2.00","yes","1.17","1","","no"'
+
+
+def test_grace_days_move_the_cut_off(tmp_path, store):
+    homework = an_assignment(tmp_path, GRACE.format(due="2025-02-15T23:59:59Z"))
+    for student, submitted in [("ann", "2025-02-25"), ("bob", "2025-02-27")]:
+        graded(store, student, "1.17", {"a_region": RIGHT, "b_region": RIGHT}, seconds(submitted))
+    ann, bob = scores(store, homework)
+    assert (ann.points, bob.points) == (0, 0), "0.25 a day leaves nothing after four days"
+    assert "have 0% of their points" in feedback(homework, ann)
+    assert "more than 7 days after the due date; 3 days of your grace" in feedback(homework, bob)
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        (DUE + "grace_days = 1", "grace_days needs a table"),
+        (DUE + "grace_days = 1.5\n[late]\nper_day = 0.1", "grace_days is a whole number of days"),
+        (DUE + "grace_days = true\n[late]\nper_day = 0.1", "grace_days is a whole number of days"),
+        (DUE + "grace_days = -1\n[late]\nper_day = 0.1", "grace_days is a whole number of days"),
+    ],
+)
+def test_errors_in_grace_days(tmp_path, text, message):
+    with pytest.raises(InputError, match=message):
+        an_assignment(tmp_path, text)
+
+
 # Exemptions
 
 EXEMPT = (
     'problems = ["1.17", "1.18"]\n[points]\n"1.17.a_region" = 3\n[labels]\nill = ["cid"]\n'
     '[exemptions]\nbob = ["1.18"]\nill = ["1.17.a_region", "1.18"]\n"dan" = ["1.17", "1.18"]\n'
 )
+
+
+@pytest.mark.parametrize(
+    "timing, advice",
+    [("unknown", "workbook collect --worksheet"), ("late", "the column submitted of ledger.csv")],
+)
+def test_the_advice_where_lateness_costs_something_and_the_time_is_unknown(
+    tmp_path, store, timing, advice
+):
+    """Canvas has no worksheet."""
+    homework = an_assignment(tmp_path, DUE + "[late]\nper_day = 0.1\n")
+    attempt = store.note_attempt("ann", "hw1", "1.17", "x", 5.0, timing)
+    store.record(attempt, "first", {"a_region": Verdict(RIGHT, "it holds")}, {}, [])
+    console = Console(file=io.StringIO(), width=1000)
+    print_summary(console, tmp_path, homework, scores(store, homework), [], None)
+    said = console.file.getvalue()
+    assert advice in said and said.count("of 1 student ") == 1
 
 
 def test_other_answers_share_the_points_of_what_is_not_asked(tmp_path, store):

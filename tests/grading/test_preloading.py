@@ -22,9 +22,9 @@ from workbook.grading.sandbox.forkserver import (
     Forkserver,
     entry_point,
 )
-from workbook.grading.sandbox.isolation import ProcessStartError
+from workbook.grading.sandbox.limits import Limits, ProcessStartError
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, modules_for
-from workbook.grading.sandbox.sandbox import MAX_STARTS, Limits, Sandbox
+from workbook.grading.sandbox.sandbox import MAX_STARTS, Sandbox
 from workbook.notebooks import exercises
 
 #: For worker processes that import nothing beforehand.
@@ -57,6 +57,7 @@ def test_modules_of_functions_that_a_notebook_names_are_preloaded():
     more = set(modules_for(["1.15"], cells)["notebooks"]) - set(preloaded(["1.15"], []))
     assert more == {
         "trajlib.stability.hurwitz",
+        "trajlib._arguments.arrays",
         "trajlib._arguments.matrices",
         "trajlib._arguments.state_space",
         "trajlib._arguments.symbols",

@@ -4,6 +4,7 @@ import pytest
 
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.roster import Roster
+from workbook.grading.reports.canvas import read_roster
 
 CLASS = [
     ("Able, Ann", "ann", "ann@uni.example", "101"),
@@ -38,3 +39,9 @@ def test_one_column_is_enough():
 def test_the_same_student_twice_is_reported():
     with pytest.raises(InputError, match="the roster has ann more than once"):
         Roster("login,name\nann,A\nann,B\nbob,C\n").identities(["ann", "bob"])
+
+
+def test_a_roster_that_a_russian_spreadsheet_saved(tmp_path):
+    text = "Фамилия;Логин\nИванов;ivanov\nЩукин;щукин\n"
+    (tmp_path / "class.csv").write_bytes(text.encode("cp1251"))
+    assert read_roster(tmp_path / "class.csv").identities(["щукин"]) == ["ivanov", "щукин"]

@@ -24,8 +24,14 @@ from hostile.reading import READING
 
 from workbook.grading.sandbox import framing, isolation, watchdog
 from workbook.grading.sandbox import sandbox as sandbox_module
+from workbook.grading.sandbox.limits import (
+    Limits,
+    Outcome,
+    ProcessStartError,
+    SandboxUnavailableError,
+)
 from workbook.grading.sandbox.preloading import ALWAYS
-from workbook.grading.sandbox.sandbox import Limits, Outcome, Sandbox, Unsandboxed
+from workbook.grading.sandbox.sandbox import Sandbox, Unsandboxed
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
@@ -349,7 +355,8 @@ def test_limits_for_an_ordinary_user(single_use):
         done = ordinary.run(
             dedent(f"""
             import os
-            from workbook.grading.sandbox.sandbox import Sandbox, Limits
+            from workbook.grading.sandbox.limits import Limits
+            from workbook.grading.sandbox.sandbox import Sandbox
             assert os.getuid() != 0
             limits = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
             with Sandbox(limits, single_use={single_use}) as sandbox:
@@ -478,7 +485,7 @@ def test_a_sandbox_that_always_fails_gives_a_failure(monkeypatch):
 
 
 def _no_sandbox(*arguments):
-    raise isolation.SandboxUnavailableError("gone")
+    raise SandboxUnavailableError("gone")
 
 
 def test_a_killed_notebook_is_a_failure_of_the_grader():
@@ -544,7 +551,7 @@ def test_without_a_sandbox_the_error_is_one_line(open_folder, does, message):
         str(open_folder / "graded"),
     ]
     done = subprocess.run(
-        command,
+        [*command, "--sandbox", "bubblewrap"],
         env=os.environ | {"PATH": path, "TERM": "dumb"},
         capture_output=True,
         text=True,
@@ -552,7 +559,8 @@ def test_without_a_sandbox_the_error_is_one_line(open_folder, does, message):
     )
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
-    assert line.startswith("workbook: ") and message in line and "--trust-students" in line
+    assert line.startswith("workbook: ") and message in line
+    assert "--sandbox wasm" in line and "--trust-students" in line
 
     trusted = subprocess.run(
         [*command, "--trust-students", "--json"],
@@ -593,7 +601,7 @@ def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, m
 def test_a_worker_that_never_starts_is_an_error(open_folder, monkeypatch, command, message):
     monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', command)}:/usr/bin:/bin")
     monkeypatch.setattr(sandbox_module, "START_SECONDS", 0.5 if "sleep" in command else 60)
-    with pytest.raises(isolation.ProcessStartError) as error:
+    with pytest.raises(ProcessStartError) as error:
         lean(TIGHT).__enter__()
     assert message in str(error.value) and "Fontconfig" not in str(error.value)
 

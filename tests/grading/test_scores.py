@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded
 
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading.course.store import HandPoints
 from workbook.grading.course.submissions import LeftAside
 from workbook.grading.reports.scores import scores
 
@@ -112,7 +113,7 @@ def test_an_attempt_without_a_result_yet_does_not_count(tmp_path, store):
 def test_manual_points_replace_automatic_ones_until_removed(tmp_path, store):
     homework = an_assignment(tmp_path, HOMEWORK)
     attempt = graded(store, "ann", "1.17", statuses(WRONG, RIGHT))
-    store.set_manual("ann", "hw1", "1.17", "a_region", 1.5, "right idea")
+    store.set_points({("ann", "hw1", "1.17", "a_region"): HandPoints(1.5, "right idea")})
     score = only(store, homework)
     assert (
         score.points == 2.5
@@ -130,14 +131,14 @@ def test_manual_points_replace_automatic_ones_until_removed(tmp_path, store):
     # So they do after a resubmission.
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=9.0)
     assert only(store, homework).points == 2.5
-    store.set_manual("ann", "hw1", "1.17", "a_region", 0.0, "")
+    store.set_points({("ann", "hw1", "1.17", "a_region"): HandPoints(0.0, "")})
     assert only(store, homework).points == 1 and only(store, homework).answers[0].manual == ""
     store.take_back("ann", "hw1", "1.17", "a_region")
     assert only(store, homework).points == 4 and only(store, homework).answers[0].manual is None
 
 
 def test_manual_points_for_work_that_was_not_submitted(tmp_path, store):
-    store.set_manual("zoe", "hw1", "1.17", "a_region", 3.0, "handed in on paper")
+    store.set_points({("zoe", "hw1", "1.17", "a_region"): HandPoints(3.0, "handed in on paper")})
     score = only(store, an_assignment(tmp_path, HOMEWORK))
     assert score.points == 3 and score.handed_in and score.counted == {}
 
@@ -148,7 +149,7 @@ def test_unchecked_needs_review(tmp_path, store):
     score = only(store, homework)
     assert score.needs_review and score.points == 1
     assert [(answer.answer, answer.text) for answer in score.to_review] == [("a_region", "odd")]
-    store.set_manual("ann", "hw1", "1.17", "a_region", 3.0, "")
+    store.set_points({("ann", "hw1", "1.17", "a_region"): HandPoints(3.0, "")})
     assert not only(store, homework).needs_review and only(store, homework).points == 4
 
 
@@ -180,7 +181,7 @@ def test_students_are_sorted_and_separate(tmp_path, store):
     for student in ("žofie", "ann", "Ben", "=cmd"):
         graded(store, student, "1.17", statuses(RIGHT, WRONG))
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), assignment="hw2")
-    store.set_manual("ann", "hw2", "1.17", "a_region", 0.0, "another homework")
+    store.set_points({("ann", "hw2", "1.17", "a_region"): HandPoints(0.0, "another homework")})
     class_scores = scores(store, an_assignment(tmp_path, HOMEWORK))
     assert [score.student for score in class_scores] == sorted(
         ["žofie", "ann", "Ben", "=cmd"]
@@ -224,7 +225,7 @@ def test_what_is_no_notebook_waits_for_points_by_hand(
 ):
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG))
     if points_by_hand:
-        store.set_manual("ann", "hw1", "1.17", "b_region", 0.5, "on paper")
+        store.set_points({("ann", "hw1", "1.17", "b_region"): HandPoints(0.5, "on paper")})
     aside = [LeftAside("notes.pdf", "no notebook", "ann", "hw1", **options)]
     (score,) = scores(store, an_assignment(tmp_path, HOMEWORK), (), aside)
     assert score.needs_review == waits and score.aside == tuple(aside)
@@ -296,6 +297,6 @@ def test_what_was_not_judged_may_rise_by_what_lateness_leaves(tmp_path, store):
 
 def test_points_by_hand_are_as_they_were_given(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
-    store.set_manual("ann", "hw1", "1.17", "a_region", 2.5, "")
+    store.set_points({("ann", "hw1", "1.17", "a_region"): HandPoints(2.5, "")})
     score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
     assert score.points == pytest.approx(2.5 + 0.8) and score.answers[0].late_penalty == 0

@@ -14,7 +14,7 @@ from classroom import hand_in, notebook
 
 from workbook.grading.course import submissions
 from workbook.grading.course.submissions import LeftAside, Submission, find, students
-from workbook.grading.sandbox import submitted_file
+from workbook.grading.sandbox import limited_process, submitted_file
 from workbook.grading.sandbox.sanitising import sanitise, sanitise_name
 
 
@@ -278,8 +278,7 @@ def test_pictures_cost_nothing(tmp_path, megabytes):
     "content, message",
     [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")],
 )
-def test_large_files_that_are_no_notebooks(tmp_path, content, message, monkeypatch):
-    monkeypatch.setattr(submitted_file, "LARGE_FILE", 2**20)
+def test_large_files_that_are_no_notebooks(tmp_path, content, message):
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
     (entry,) = find(tmp_path / "submitted")
     assert message in entry.trouble and entry.submitted > 0
@@ -296,7 +295,7 @@ def test_files_of_other_formats_with_the_name_of_a_notebook(tmp_path, content, m
 
 def test_reading_has_limits(tmp_path, monkeypatch):
     """Twenty megabytes of empty lists are half a gigabyte in memory."""
-    monkeypatch.setattr(submitted_file, "MEMORY", 100 * 2**20)
+    monkeypatch.setattr(limited_process, "MEMORY", 100 * 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(b'{"cells": [' + b"[]," * 7 * 2**20 + b"[]]}")
     (entry,) = find(tmp_path / "submitted")
     assert (
@@ -314,7 +313,8 @@ def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
 def test_times_beyond_datetime(tmp_path, monkeypatch):
     path = hand_in(tmp_path, "ada", "1.15", {})
     monkeypatch.setattr(Path, "lstat", lambda path: os.stat_result((0,) * 8 + (10**15, 0)))
-    entry = submissions._read("ada", "hw1", path)
+    with submitted_file.Reader() as reader:
+        entry = submissions._read("ada", "hw1", path, reader)
     assert datetime.fromtimestamp(entry.submitted, UTC).year == 9999
 
 

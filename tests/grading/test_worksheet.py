@@ -2,12 +2,14 @@
 
 import csv
 import io
+import time
 from datetime import datetime
 
 import pytest
 
 from workbook.grading.course import worksheet
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.policy import time_zone
 
 #: As Moodle writes them: two participants, of whom the second has handed in nothing.
 ENGLISH = """Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,\
@@ -71,6 +73,54 @@ def test_names_and_addresses_that_moodle_hides(tmp_path):
     assert found["2"] == worksheet.Participant("Участник", "", None)
 
 
+def test_a_name_with_a_digit_is_one(tmp_path):
+    """It turned all names into "Participant"."""
+    found = read(tmp_path, ENGLISH.replace("Ann Able", "X AE A-12"))
+    assert found["101"].name == "X AE A-12" and found["1777"].name == "Bee, Bob"
+    header = "Identifier,Full name,Status,Grade\n"
+    rows = "Participant 1,X AE A-12,None,\nParticipant 2,Ann,None,\nParticipant 3,Bob,None,\n"
+    assert [p.name for p in read(tmp_path, header + rows).values()] == ["X AE A-12", "Ann", "Bob"]
+    rows = "".join(f"Participant {k},Submitted - {k} days late,\n" for k in (1, 2, 3))
+    assert read(tmp_path, "Identifier,Status,Grade\n" + rows)["2"].name == "Participant"
+
+
+@pytest.mark.parametrize(
+    "language, encoding, told",
+    [
+        ("ru", "cp1251", "Windows-1251"),
+        ("de", "cp1252", "Windows-1252"),
+        ("fr", "cp1252", "Windows-1252"),
+        ("ru", "utf-16", None),
+        ("de", "utf-8-sig", None),
+    ],
+)
+def test_a_worksheet_that_a_spreadsheet_saved(tmp_path, capsys, language, encoding, told):
+    text = with_separator(SHEETS[language], "\t" if encoding == "utf-16" else ";")
+    path = tmp_path / "sheet.csv"
+    path.write_bytes(text.encode(encoding))
+    assert worksheet.read(path)["101"] == worksheet.Participant("Ann Able", "ann@uni.example", WHEN)
+    worksheet.read(path)
+    assert capsys.readouterr().err == (f"{path} is read as {told}\n" if told else "")
+
+
+@pytest.mark.parametrize("encoding", ["mac_cyrillic", "cp866", "utf-32"])
+def test_a_worksheet_in_another_encoding_says_how_to_save_it(tmp_path, encoding):
+    (tmp_path / "sheet.csv").write_bytes(RUSSIAN.encode(encoding))
+    with pytest.raises(InputError, match='save it in the spreadsheet as "CSV UTF-8'):
+        worksheet.read(tmp_path / "sheet.csv")
+
+
+@pytest.mark.parametrize("text", ["x", "x ", "@", "1:11 ", "x\n", "1 "])
+def test_texts_of_students_in_a_worksheet_take_no_time(tmp_path, text):
+    """Moodle puts what students typed in into a column; a pattern took time by the square of it."""
+    long = text * (500_000 // len(text))
+    sheet = ENGLISH.replace("Feedback comments", "Online text")
+    sheet = "\n".join(line + f'"{long}"' if "@" in line else line for line in sheet.split("\n"))
+    began = time.process_time()
+    assert read(tmp_path, sheet)["101"].submitted == WHEN
+    assert time.process_time() - began < 2
+
+
 def test_groups_are_no_participants(tmp_path):
     text = "Group,Id,Name\nGroup 1,Participant 7,Ann\nGroup 1,Participant 8,Bob\n"
     assert list(read(tmp_path, text)) == ["7", "8"]
@@ -105,6 +155,29 @@ def test_dates(text, when):
     assert worksheet.time(text) == (when and datetime(*when).timestamp())
 
 
+@pytest.mark.parametrize(
+    "zone, text, utc",
+    [
+        ("Europe/Moscow", "среда, 30 сентября 2026, 23:30", "2026-09-30T20:30"),
+        ("Europe/Berlin", "Mittwoch, 30. September 2026, 23:30", "2026-09-30T21:30"),
+        ("Europe/Berlin", "Montag, 30. November 2026, 23:30", "2026-11-30T22:30"),
+        ("Asia/Yekaterinburg", "2026-09-30 23:30", "2026-09-30T18:30"),
+        ("UTC", "30.09.2026 23:30", "2026-09-30T23:30"),
+    ],
+)
+@pytest.mark.parametrize("computer", ["UTC", "America/New_York"])
+def test_times_of_a_zone(monkeypatch, zone, text, utc, computer):
+    """The time zone of the computer does not matter when another is given."""
+    monkeypatch.setenv("TZ", computer)
+    time.tzset()
+    try:
+        seconds = worksheet.time(text, time_zone(zone))
+    finally:
+        monkeypatch.undo()
+        time.tzset()
+    assert seconds == datetime.fromisoformat(f"{utc}+00:00").timestamp()
+
+
 def test_a_date_that_cannot_be_read_leaves_the_time_unknown(tmp_path):
     """The column of the grade does not take its place."""
     text = ENGLISH.replace("1 September", "1 syyskuuta").replace(
@@ -131,6 +204,6 @@ def test_a_worksheet_that_cannot_be_used(tmp_path, text, message):
 def test_a_worksheet_that_cannot_be_read(tmp_path):
     with pytest.raises(InputError, match="No such file"):
         worksheet.read(tmp_path / "sheet.csv")
-    (tmp_path / "sheet.csv").write_bytes(ENGLISH.encode("utf-16"))
+    (tmp_path / "sheet.csv").write_bytes(b"PK\x03\x04\x14\x00" + ENGLISH.encode())
     with pytest.raises(InputError, match="not CSV in UTF-8"):
         worksheet.read(tmp_path / "sheet.csv")

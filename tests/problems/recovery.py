@@ -9,10 +9,13 @@ from the data alone (`EVALUABLE`).
 A candidate is judged only if it is near the right coefficient, since no other can be right.
 """
 
+import functools
 import itertools
+import math
 import re
 
 import sympy as sp
+from roundings import awkward_numbers, with_numbers
 from sympy.logic.boolalg import Boolean
 
 from workbook.checks.contract.decoding import decode
@@ -46,13 +49,12 @@ EVALUABLE = {
     "decomposition": "the system in the coordinates of the answer",
     "equation_gains": "the equation along the motions of the form",
     "equilibria": "the right-hand sides at the point",
-    "equilibrium_angles": "the right-hand side at the angle",
     "equilibrium_gains": "the right-hand sides at the point",
+    "equilibrium_linearisation": "the matrix of the answer",
     "equilibrium_values": "the right-hand sides at the value",
     "extremum_motion": "the motion at its ends, which are given",
     "first_integral": "the derivative along the motions",
     "least_squares": "the sum of squares at the estimate",
-    "linearisation_matrices": "the matrix of the answer",
     "mechanical_equations": "the equations, solved for the accelerations",
     "observer_equations": "the derivative of the error",
     "observer_gain": "the characteristic polynomial of the errors",
@@ -65,21 +67,25 @@ EVALUABLE = {
     "sequential_decomposition": "the system in the coordinates of the answer",
     "similarity_matrix": "both systems with the matrix inserted",
     "spectra": "the right-hand sides at the point, the characteristic polynomial",
-    "stable_equilibria": "the right-hand sides at the point",
-    "stable_equilibrium_angles": "the right-hand side at the angle",
     "state_space_form": "the equation along the motions of the form",
-    "stationary_points": "the right-hand sides at the point",
     "uncorrelated": "the covariance at the angle",
     "undetectable_mode": "H v",
     "unobservable_states": "H A^k v",
     "unobservable_states_at": "H A^k v",
-    "unstable_equilibrium_angles": "the right-hand side at the angle",
-    "unstable_equilibrium_values": "the right-hand sides at the value",
     "uncontrollable_combinations": "w A^k B",
     "uncontrollable_combinations_at": "w A^k B",
 }
 #: Checks whose messages state a number that the definition of what is asked has: a coefficient 1.
 DEFINED = {"canonical_change", "canonical_coordinate", "chain_basis_matrix"}
+#: What a number of one message is multiplied by to be tried in another answer: simple fractions, and
+#: numbers of steps in which processes are computed.
+MULTIPLES = sorted({sp.Rational(a, b) for a in range(1, 5) for b in range(1, 5)} | {100, 240, 480})
+#: Numbers of answers that a number in messages on another answer equals by chance: (the answer, its
+#: number, the other answer) by problem.
+COINCIDENT = {
+    # twice as much is near a sample value of alpha, which is drawn without regard to the problem
+    "5.22": {("b_control", "1/pi", "general_control"), ("b_energy", "1/pi", "general_control")},
+}
 #: Numbers that say nothing of where they come from.
 SIMPLE = range(10)
 TRUE, OWN = "a true value", "a residual"
@@ -101,12 +107,7 @@ def recovered(problem, name):
     does not come from them, else `OWN`.
     """
     found, symbols = [], set(_symbols(list(problem.data.values())))
-    for what, right, put in coefficients(problem.reference[name]):
-        tries = [
-            (right * factor, problem.judge_one(name, put(right * factor))) for factor in FACTORS
-        ]
-        if any(verdict.status != "wrong" for _, verdict in tries):
-            continue
+    for what, right, put, tries in _tries(problem, name):
         wrong, messages = zip(
             *((float(q), _without_point(verdict.message, symbols)) for q, verdict in tries)
         )
@@ -132,6 +133,70 @@ def recovered(problem, name):
         elif from_both(_stated) or finds(_zeros(wrong, [text for text, _ in messages])):
             found.append([what, OWN, tries[0][1].message])
     return found
+
+
+def borrowed(problem):
+    """Return what messages on one answer tell of another: [answer, its number, whose message, it].
+
+    A number that is in the messages on two different wrong answers does not come from them. It is
+    tried, alone and times fractions and numbers of steps, in the place of each awkward number of the
+    other answers, to the digits that the message gives.
+    """
+    found = []
+    for name in problem.reference:
+        stated = {
+            text: tries[0][1].message
+            for _, right, put, tries in _tries(problem, name)
+            for text in set.intersection(*(_texts(verdict.message) for _, verdict in tries))
+            if not _is_own(text, put(right * FACTORS[0]))
+        }
+        told = [(abs(float(_number(text))), _digits(text), stated[text]) for text in stated]
+        for other, value in problem.reference.items():
+            numbers = [n for n in dict.fromkeys(awkward_numbers(value)) if not _simple(n)]
+            sizes = [(n, abs(float(n))) for n in numbers if other != name]
+            for (number, size), (own, digits, message), factor in itertools.product(
+                sizes, told, MULTIPLES
+            ):
+                candidate = float(factor) * own
+                unit = 10.0 ** (math.floor(math.log10(own)) - digits + 1) if own else 0.0
+                if abs(candidate - size) > min(float(factor) * unit, NEAR * size):
+                    continue
+                guess = sp.sign(number) * sp.Float(f"{float(candidate):.4g}")
+                answer = decode(encode(with_numbers(value, {number: guess})))
+                if problem.judge_one(other, answer).status == "right":
+                    found.append([other, str(number), name, message])
+    return found
+
+
+def _is_own(text, answer):
+    """Return whether a number of a message is one of the answer that it is on."""
+    own = [*map(float, awkward_numbers(answer)), *_numbers_at(answer, {})]
+    return any(_close(_number(text), abs(number)) for number in own)
+
+
+def _simple(number):
+    return number.is_Rational and number.q < len(SIMPLE)
+
+
+def _texts(message):
+    """Return the numbers in a message that say something of where they come from, as texts."""
+    texts = (part.lstrip("+-") for part in NUMBERS.findall(INDICES.sub("", message)))
+    return {text for text in texts if _number(text) not in SIMPLE}
+
+
+def _digits(text):
+    """Return the number of significant digits of a number as it is written; a fraction is exact."""
+    return 9 if "/" in text else len(text.partition("e")[0].replace(".", "").strip("0") or "0")
+
+
+@functools.cache
+def _tries(problem, name):
+    """Return (what is wrong, right number, function that puts another, two verdicts) of an answer."""
+    tries = [
+        (what, right, put, [(right * f, problem.judge_one(name, put(right * f))) for f in FACTORS])
+        for what, right, put in coefficients(problem.reference[name])
+    ]
+    return [row for row in tries if all(verdict.status == "wrong" for _, verdict in row[3])]
 
 
 def coefficients(value):
@@ -246,10 +311,13 @@ def _numbers_at(value, point):
     if isinstance(value, (str, bool)) or not isinstance(sp.sympify(value), sp.Expr):
         return []
     value = sp.sympify(value)
-    values = {s: _number(point[s.name]) for s in value.free_symbols if s.name in point}
+    numbers = {s: _number(point[s.name]) for s in value.free_symbols if s.name in point}
+    # `complex` first evaluates all of an expression that has symbols, and then raises TypeError
+    if len(numbers) < len(value.free_symbols):
+        return []
     try:
-        number = complex(value.subs(values))
-    except TypeError:
+        number = complex(value.subs(numbers))
+    except TypeError:  # infinite or undefined there, or a condition compares complex numbers
         return []
     return [number.real, number.imag]
 

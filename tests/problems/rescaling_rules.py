@@ -103,6 +103,8 @@ def _slopes(new):
 
 
 def _matrix(new, answer, arguments):
+    if isinstance(answer, list):  # of matrices
+        return [_matrix(new, matrix, arguments) for matrix in answer]
     factors = new.of_state
     return new.value(answer, [f / g / new.time for f in factors for g in factors])
 
@@ -194,10 +196,10 @@ RULES = {
     "controller_equations": _times(lambda new: new.length / new.time),
     # phase planes
     "first_integral": UNCHANGED,
-    "stationary_points": UNCHANGED,
-    "stationary_type": UNCHANGED,
-    "stationary_stability": UNCHANGED,
-    "stationary_linearisation": _matrix,
+    "equilibria": UNCHANGED,
+    "equilibrium_type": UNCHANGED,
+    "equilibrium_stability": UNCHANGED,
+    "equilibrium_linearisation": _matrix,
     "equilibrium_types": UNCHANGED,
     "saddle_slopes": _times(_slopes),
 }

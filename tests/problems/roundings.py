@@ -13,37 +13,37 @@ MOST = 2
 
 def roundings(value):
     """Yield (description, answer, verdict due); nothing for an answer without awkward numbers."""
-    awkward = list(dict.fromkeys(_numbers(value)))
+    awkward = list(dict.fromkeys(awkward_numbers(value)))
     for digits in (3, 4, 6) if awkward else ():
         yield (
             f"{digits} digits",
-            _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in awkward}),
+            with_numbers(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in awkward}),
             "right",
         )
     for number in awkward[:MOST]:
         off = sp.Float(f"{1.01 * float(number):.3e}")
-        yield f"{number} one per cent larger", _put(value, {number: off}), "wrong"
+        yield f"{number} one per cent larger", with_numbers(value, {number: off}), "wrong"
 
 
-def _numbers(value):
+def awkward_numbers(value):
     if isinstance(value, (list, tuple)):
         for part in value:
-            yield from _numbers(part)
+            yield from awkward_numbers(part)
     elif isinstance(value, dict):
-        yield from _numbers([*value, *value.values()])
+        yield from awkward_numbers([*value, *value.values()])
     elif isinstance(value, sp.MatrixBase):
-        yield from _numbers(list(value))
+        yield from awkward_numbers(list(value))
     elif isinstance(value, sp.Expr) and value.is_number:
         if _awkward(value):
             yield value
     elif isinstance(value, sp.Pow):
-        yield from _numbers(value.base)
+        yield from awkward_numbers(value.base)
     elif isinstance(value, sp.Mul):
-        yield from _numbers(list(_distributed(value) or _product(value)))
+        yield from awkward_numbers(list(_distributed(value) or _product(value)))
     elif isinstance(value, sp.Add):
-        yield from _numbers(_collected(value) or list(value.args))
+        yield from awkward_numbers(_collected(value) or list(value.args))
     elif isinstance(value, sp.Basic):
-        yield from _numbers(value.args)
+        yield from awkward_numbers(value.args)
 
 
 def _awkward(number):
@@ -85,23 +85,25 @@ def _product(value):
     return (-coefficient, -1, *others) if negative else (coefficient, *others)
 
 
-def _put(value, decimals):
+def with_numbers(value, decimals):
     if isinstance(value, (list, tuple)):
-        return type(value)(_put(part, decimals) for part in value)
+        return type(value)(with_numbers(part, decimals) for part in value)
     if isinstance(value, dict):
-        return {_put(key, decimals): _put(part, decimals) for key, part in value.items()}
+        return {
+            with_numbers(key, decimals): with_numbers(part, decimals) for key, part in value.items()
+        }
     if isinstance(value, sp.MatrixBase):
-        return value.applyfunc(lambda entry: _put(entry, decimals))
+        return value.applyfunc(lambda entry: with_numbers(entry, decimals))
     if not isinstance(value, sp.Basic) or value in decimals:
         return decimals.get(value, value) if isinstance(value, sp.Basic) else value
     if (isinstance(value, sp.Expr) and value.is_number) or not value.args:
         return value
     if isinstance(value, sp.Pow):
-        return sp.Pow(_put(value.base, decimals), value.exp)
+        return sp.Pow(with_numbers(value.base, decimals), value.exp)
     terms = _distributed(value) if isinstance(value, sp.Mul) else ()
     terms = _collected(value) if isinstance(value, sp.Add) else terms
     if terms:
-        return sp.Add(*(_put(term, decimals) for term in terms))
+        return sp.Add(*(with_numbers(term, decimals) for term in terms))
     if isinstance(value, sp.Mul):
-        return sp.Mul(*(_put(factor, decimals) for factor in _product(value)))
-    return value.func(*(_put(part, decimals) for part in value.args))
+        return sp.Mul(*(with_numbers(factor, decimals) for factor in _product(value)))
+    return value.func(*(with_numbers(part, decimals) for part in value.args))

@@ -9,8 +9,9 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from workbook.authoring import Links, master_paths, read, student_notebook
+from workbook.authoring import Links, master_paths, read
 from workbook.authoring.mistakes import source_hash
+from workbook.authoring.student_notebook import baseurl, student_notebook
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
@@ -28,8 +29,6 @@ def master(request):
 
 @pytest.fixture(scope="module")
 def links():
-    from workbook.authoring.student_notebook import baseurl
-
     return Links(ROOT, baseurl(ROOT))
 
 

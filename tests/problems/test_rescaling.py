@@ -38,8 +38,7 @@ NOT_RESCALED = {
     "uncontrollable_combinations": "no cost, no time: a question of chapter 2",
     "observable": "no cost, no time: a question of chapter 2",
     "output_gramian": "no cost: a question of chapter 2",
-    "linearisation_matrices": "a question of chapter 1 on a phase plane",
-    "stationary_value": "its expression is a quotient of rates, with units of its own",
+    "equilibrium_value": "its expression is a quotient of rates, with units of its own",
     "polar_angle_rate": "the direction of a state has no meaning for states in different units",
 }
 

@@ -1,7 +1,7 @@
 """Masters: a problem is its page (solutions/ch1/p15.md) and its trials (p15.trials.py).
 
-`read` returns the master with its cells by role and its trials; `student_notebook` converts it into
-the notebook for students.
+`read` returns the master with its cells by role and its trials; `write_exercises` writes the
+notebooks for students.
 """
 
 from trajlib._lazy import lazy_names
@@ -13,7 +13,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         "errors": ["MasterError"],
         "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
         "trials": ["Trial"],
-        "student_notebook": ["student_notebook", "write_exercises"],
+        "student_notebook": ["write_exercises"],
         "links": ["Links"],
     },
 )

@@ -258,7 +258,7 @@ def _validate_names(path, cell, allowed_names):
     """Validate that the checks and the names in a check cell exist."""
     from workbook import checks  # reads the names of all checks
 
-    check_names = [*checks.__all__, *(f"research.{name}" for name in checks.research.__all__)]
+    check_names = [*dir(checks), *(f"research.{name}" for name in dir(checks.research))]
     for node in _nodes(cell, ast.Name):
         if node.id not in allowed_names:
             raise MasterError(

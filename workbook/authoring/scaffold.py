@@ -8,6 +8,8 @@ from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.master import master_paths
 from workbook.authoring.trials import trials_file
 
+#: The last problem that the problem book has in each of its chapters.
+LAST_PRINTED = {1: 18, 2: 37, 3: 26, 4: 43, 5: 70}
 #: Stands where the author has to write; a test finds what is left of it.
 PLACEHOLDER = "PLACEHOLDER"
 
@@ -96,12 +98,18 @@ def new_problem(solutions, number):
     Raises
     ------
     ValueError
-        If the number is malformed.
+        If the number is malformed, or is none that the problem book has in one of its chapters.
     FileExistsError
         If one of the files exists.
     """
     if not re.fullmatch(r"[1-9]\d*\.[1-9]\d*", number):
         raise ValueError(f"{number} is no number of a problem; write it like 2.30")
+    chapter, problem = map(int, number.split("."))
+    if problem > LAST_PRINTED.get(chapter, problem):
+        raise ValueError(
+            f"chapter {chapter} of the problem book ends with problem {chapter}.{LAST_PRINTED[chapter]}: "
+            f"a new problem belongs to a chapter from {max(LAST_PRINTED) + 1} on"
+        )
     page = Path(solutions) / master_file(number)
     texts = {page: PAGE, trials_file(page): TRIALS}
     for path in texts:

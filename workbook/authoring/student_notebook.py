@@ -4,7 +4,8 @@ It is a plain Jupyter notebook without solutions, with nbgrader's metadata. Data
 copied and locked; an answer cell becomes a stub `name = ...` for each of its answers, each in a
 cell of its own, so that an error in one costs no other; a drawing becomes its picture; everything
 between `solution-start` and `solution-end` is removed. MyST directives become headings and
-paragraphs, so that the notebook reads well in any Jupyter.
+paragraphs, so that the notebook reads well in any Jupyter. At the end, two cells check the steps of
+work on paper; they give no points.
 """
 
 import json
@@ -12,7 +13,6 @@ import re
 from pathlib import Path
 from textwrap import wrap
 
-from trajlib import __version__
 from trajlib.typesetting import plain
 from workbook.authoring.contract import caption_above, master_file, plural_kind
 from workbook.authoring.drawing_cells import DrawingCells
@@ -33,7 +33,10 @@ CREDIT = (
     "Bolotin, Moscow, 2012"
 )
 RESEARCH = "the research chapters of the workbook"
-WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
+#: The page of the site that says how to install the workbook. Notebooks name no version of it.
+INSTALL = "book/guides/install.html"
+#: The section of problems of chapters 1 to 5 that the printed book does not have.
+ADDED = "added"
 #: Letters of a line that a code cell shows without scrolling, in Jupyter and VS Code.
 WIDTH = 79
 #: The code cell before all others: without the workbook it fails with one line that says how to install it.
@@ -41,11 +44,18 @@ SETUP = f"""\
 try:
     import workbook.checks, z3
 except ModuleNotFoundError as missing:
-    wheel = "{WHEEL}[workbook]"
-    how = f'No workbook here. Run   %pip install "{{wheel}}"'
+    page = "the workbook's site, {INSTALL}"
+    how = f"No workbook here. How to install it: {{page}}"
     missing._render_traceback_ = lambda: [how]
     raise"""
 IMPORT = "from workbook import checks"
+#: What the cells of the steps say, and their code.
+STEPS_TEXT = (
+    "Have you worked on paper? Write your steps as a list. The check names the first step that does not "
+    "follow from the one before it. It gives no points."
+)
+STEPS = "my_steps = ...  # list, such as [x**2 - 1, (x - 1)*(x + 1)]"
+STEPS_CHECK = f"{IMPORT}\n\nchecks.report(my_steps=checks.steps(my_steps))"
 
 
 def write_exercises(root, numbers=()):
@@ -126,9 +136,14 @@ def student_notebook(master, links):
     first_code = next(k for k, cell in enumerate(cells) if cell["cell_type"] == "code")
     cells[first_code:first_code] = [
         _instruction(master),
-        _code(SETUP, "setup", [(WHEEL, f"wheels/{WHEEL}")]),
+        _code(SETUP, "setup", [(INSTALL, INSTALL)]),
     ]
-    cells.append(_origin(master, _equations(cells, links)))
+    cells += [
+        new_markdown_cell(f"## Check my steps\n\n{STEPS_TEXT}", tags=["steps"]),
+        _code(STEPS, "steps"),
+        _code(STEPS_CHECK, "steps"),
+        _origin(master, _equations(cells, links)),
+    ]
     notebook = new_notebook(
         cells,
         workbook={
@@ -265,8 +280,13 @@ def _origin(master, equations):
         if int(chapter) <= 5
         else RESEARCH
     )
+    origin = (
+        "*This problem is our own; it is not in the printed problem book.*"
+        if master.section == ADDED
+        else f"*The data of this problem come from* {credit}."
+    )
     return _markdown(
-        f"*The data of this problem come from* {credit}.\n\n"
+        f"{origin}\n\n"
         'This notebook needs the workbook: from a checkout of it run `pip install -e ".[workbook]"`, '
         "or install the wheel that the workbook's site offers. "
         f"The theory is in chapter {chapter}"
@@ -278,7 +298,7 @@ def _origin(master, equations):
         )
         + ".",
         [
-            ("wheel that the workbook's site offers", f"wheels/{WHEEL}"),
+            ("wheel that the workbook's site offers", INSTALL),
             (f"chapter {chapter}", f"book/ch{chapter}.html"),
             *equations,
         ],

@@ -1,10 +1,11 @@
 """Variants: a problem with the numbers of another row, proved before it is handed out.
 
 A row is proved if the right answers for it are judged right and all foreseen mistakes wrong, if no
-coefficient vanishes and no answer grows long, and if the answers on the site, which are those of
-row 0, earn at most a stated share. Only a proved row has a notebook in variants/ of the checkout,
-where `exercises.find` finds it by its name, such as 2.4~17. A proof is made again when the page, its
-trials or a module of ours behind them changes.
+coefficient vanishes and no answer grows long, if the answers on the site, which are those of row 0,
+earn at most a stated share, and if the row has few right answers in common with each earlier row.
+Only a proved row has a notebook in variants/ of the checkout, where `exercises.find` finds it by its
+name, such as 2.4~17. A proof is made again when the page, its trials or a module of ours behind them
+changes.
 """
 
 import hashlib
@@ -13,7 +14,10 @@ import os
 import re
 from contextlib import redirect_stdout
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from pathlib import Path
+
+import sympy as sp
 
 from workbook.authoring.contract import master_file
 from workbook.authoring.errors import MasterError
@@ -31,6 +35,7 @@ from workbook.authoring.numbers import (
 from workbook.authoring.student_notebook import baseurl, student_notebook
 from workbook.authoring.trials import trials_file
 from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import RIGHT, WRONG
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
@@ -39,6 +44,8 @@ from workbook.notebooks.execution import Child, judge_answers
 
 #: What the answers of the site may earn, unless the section sets `site_share`.
 SHARE = 1 / 3
+#: What two rows may have in common of the answers that vary.
+SHARED = 1 / 5
 #: Seconds for the proof of one row.
 TIMEOUT = 600
 
@@ -53,14 +60,16 @@ class Proof:
         Name of the variant, such as 2.4~17.
     faults : tuple of str
         Why the row cannot be handed out; empty if it can.
-    site_share, neighbour_share : float
-        The share of the answers that the site's answers, and those of the row before, get right.
+    site_share : float
+        The share of the answers that the site's answers get right.
+    shared : float
+        The greatest share of the answers that vary that the row and an earlier one have in common.
     """
 
     name: str
     faults: tuple
     site_share: float
-    neighbour_share: float
+    shared: float
 
 
 class Variants:
@@ -147,6 +156,26 @@ class Variants:
         names = self.names(row)
         return as_received({name: names.get(name, worked[name]) for name in self.master.answers})
 
+    def most_shared(self, row):
+        """Return which earlier row shares most of the answers that vary with a row, and the share.
+
+        Right values are compared, not judged, since the checks would take minutes.
+        """
+        forms = self._forms
+        varying = [name for name in forms[0] if len({form[name] for form in forms}) > 1]
+        counts = [sum(forms[row][n] == form[n] for n in varying) for form in forms[:row]]
+        most = max(counts)
+        return counts.index(most), most / max(len(varying), 1)
+
+    @cached_property
+    def _forms(self):
+        """The right answers that depend on the numbers, by row, in a form to be compared."""
+        rows = map(self.names, range(len(self.numbers.rows)))
+        return [
+            {name: encode(_normal(names[name])) for name in self.master.answers if name in names}
+            for names in rows
+        ]
+
 
 def variants_of(root, number):
     """Return the `Variants` of a problem in a checkout."""
@@ -191,6 +220,19 @@ def prove(root, number, rows=None):
     finally:
         if child is not None:
             child.end()
+
+
+def _normal(value):
+    """Return a value with products expanded, and with three digits where these are accepted."""
+    if isinstance(value, sp.MatrixBase):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {_normal(key): _normal(part) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_normal(part) for part in value]
+    if isinstance(value, sp.Expr) and not value.is_Integer:
+        return sp.expand(value) if value.free_symbols else sp.N(value, 3)
+    return value
 
 
 def _shown_text(master):
@@ -256,6 +298,7 @@ def _prove_row(variants, row, site):
         master = variants.variant(row)
     except NumbersError as error:
         return Proof(name, (str(error),), 1.0, 1.0), {}
+    other, shared = variants.most_shared(row)
     reference = variants.reference(row, site)
     data = variants.data_names(row)
     judged = _Judged(master, data)
@@ -273,16 +316,16 @@ def _prove_row(variants, row, site):
             if (status := judged.status(trial.name, value)) != expected:
                 faults.append(f"{trial.name}: {trial.source} is {status}")
     faults += _grown(reference, site) + _vanished(variants.numbers, row)
-    before = row - 1 or len(variants.numbers.rows) - 1
-    shares = [
-        judged.share(site),
-        judged.share(variants.reference(before, site)) if before != row else 0.0,
-    ]
+    site_share = judged.share(site)
     allowed = float(variants.names(row).get("site_share", SHARE))
-    if shares[0] > allowed + 1e-9:
-        faults.append(f"the answers of the site earn {shares[0]:.2f}, more than {allowed:.2f}")
+    if site_share > allowed + 1e-9:
+        faults.append(f"the answers of the site earn {site_share:.2f}, more than {allowed:.2f}")
+    if shared > SHARED + 1e-9:
+        faults.append(
+            f"it shares {shared:.2f} of the answers that vary with row {other}, more than {SHARED:.2f}"
+        )
     mistakes = {} if faults else seal_mistakes(master, reference, trials["wrong"])
-    return Proof(name, tuple(faults), *shares), mistakes
+    return Proof(name, tuple(faults), site_share, shared), mistakes
 
 
 class _Judged:

@@ -8,17 +8,37 @@ import sys
 from trajlib._lazy import lazy_names
 from workbook.checks import research as research  # `checks.research.*`, lazy itself
 from workbook.checks.contract import cell_watch
+from workbook.checks.contract.former_checks import FORMER, former_check
 
-__getattr__, __dir__, __all__ = lazy_names(
+_present, __dir__, __all__ = lazy_names(
     __name__,
     {
         "contract.reporting": ["NotYet", "collecting"],
-        "workbook.mistakes.reporting": ["report"],
+        "contract.report": ["report"],
         "contract.direction": ["hide_direction"],
         "contract.kept": ["kept_for_grading"],
         "contract.verdict": ["Unusable", "Verdict", "judged"],
+        "algebra.steps": ["steps"],
         "stability.regions": ["stability_region"],
-        "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],
+        "stability.equilibria": ["equilibria", "nullcline"],
+        "stability.equilibrium_conditions": [
+            "equilibrium_condition",
+            "equilibrium_exists",
+            "unique_equilibrium",
+        ],
+        "stability.equilibrium_linearisations": [
+            "angle_linearisation",
+            "equilibrium_linearisation",
+            "equilibrium_value",
+            "spectra",
+        ],
+        "stability.equilibrium_types": [
+            "equilibrium_stability",
+            "equilibrium_type",
+            "equilibrium_types",
+            "saddle_slopes",
+        ],
+        "stability.equilibrium_values": ["equilibrium_values", "growth_rate"],
         "stability.linearisation": ["linearisation_unstable", "zero_solution_stability"],
         "stability.lyapunov": [
             "asymptotic_stability_by_lyapunov",
@@ -26,14 +46,6 @@ __getattr__, __dir__, __all__ = lazy_names(
             "lyapunov_derivative",
             "rate_on_vanishing_set",
             "vanishing_set",
-        ],
-        "stability.equilibrium_families": [
-            "equilibrium_values",
-            "growth_rate",
-            "linearisation_matrices",
-            "stable_equilibrium_values",
-            "unique_equilibrium",
-            "unstable_equilibrium_values",
         ],
         "stability.cycles": [
             "cycle_period",
@@ -53,28 +65,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         ],
         "stability.nominal_motions": ["input_matrix", "linearisation", "nominal_motion"],
         "stability.basins": ["basin_estimate", "basin_level"],
-        "stability.equilibrium_angles": [
-            "angle_linearisation",
-            "equilibrium_angles",
-            "equilibrium_angles_exist",
-            "saddle_angle_condition",
-            "stable_angle_condition",
-            "stable_equilibrium_angles",
-            "unstable_equilibrium_angles",
-        ],
         "stability.phase_plane": ["dulac_function", "first_integral", "phase_curve"],
-        "stability.planar_equilibria": ["equilibrium_types", "saddle_slopes"],
-        "stability.stationary_points": [
-            "focus_region",
-            "node_region",
-            "nullcline",
-            "stationary_exists",
-            "stationary_linearisation",
-            "stationary_points",
-            "stationary_stability",
-            "stationary_type",
-            "stationary_value",
-        ],
         "structure.observability": [
             "observable",
             "observable_parameters",
@@ -132,6 +123,7 @@ __getattr__, __dir__, __all__ = lazy_names(
             "optimal_limit_state",
             "steady_cost",
         ],
+        "feedback.robustness": ["delay_margin", "disk_margin", "gain_margins", "phase_margin"],
         "feedback.observers": ["closed_loop_equations", "observer_equations"],
         "estimation.moments": ["correlation", "covariance", "expectations", "uncorrelated"],
         "estimation.least_squares": ["error_covariance", "least_squares", "least_sum_of_squares"],
@@ -215,6 +207,11 @@ __getattr__, __dir__, __all__ = lazy_names(
         "pontryagin.transversality": ["transversality"],
     },
 )
+
+
+def __getattr__(name):
+    return former_check(name, _present) if name in FORMER else _present(name)
+
 
 # The first data or check cell of a notebook that runs imports this package: from then on its cells
 # are watched.

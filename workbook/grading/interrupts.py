@@ -23,9 +23,7 @@ def repeat_lost_interrupts():
             previous_hook(unraisable)
             return
         # A signal and not only a flag, since the thread may be waiting in the system by then.
-        timers.append(
-            threading.Timer(REPEAT_SECONDS, signal.pthread_kill, (main_thread, signal.SIGINT))
-        )
+        timers.append(threading.Timer(REPEAT_SECONDS, _interrupt, [main_thread]))
         timers[-1].start()
 
     sys.unraisablehook = hook
@@ -38,3 +36,10 @@ def repeat_lost_interrupts():
             timer.cancel()
         if pending:
             raise KeyboardInterrupt
+
+
+def _interrupt(thread):
+    if sys.platform == "win32":
+        signal.raise_signal(signal.SIGINT)
+    else:
+        signal.pthread_kill(thread, signal.SIGINT)

@@ -4,7 +4,7 @@
 
 is the forkserver. It imports `LIBRARIES` and the modules that a line of its standard input names as
 JSON, then answers requests on the socket. It exits with its kernels when its standard input closes,
-so that it outlives no parent process.
+so that it outlives no parent process. On Windows, where nothing forks, there is none.
 """
 
 import importlib
@@ -19,6 +19,7 @@ from contextlib import suppress
 
 #: Environment variable with the path of the socket.
 SOCKET = "WORKBOOK_LIVE_KERNELS"
+NO_FORK = "Windows forks no process"
 #: Modules that cells of lectures and the magics load, most of them only when a function is called.
 LIBRARIES = (
     "ipykernel.kernelapp",
@@ -71,6 +72,8 @@ def modules_of_problems(numbers):
 
 def serve(address):
     """Run the forkserver on a socket until standard input closes."""
+    if sys.platform == "win32":
+        raise OSError(NO_FORK)
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(address)
         listener.listen()
@@ -109,6 +112,8 @@ def request_kernel(address, request):
     OSError
         If the forkserver is not there or forks no kernel.
     """
+    if sys.platform == "win32":
+        raise OSError(NO_FORK)
     with socket.socket(socket.AF_UNIX) as connection:
         connection.settimeout(60)
         connection.connect(address)
@@ -142,6 +147,8 @@ def _import_all():
 
 
 def _fork_kernel(connection, listener):
+    if sys.platform == "win32":
+        raise OSError(NO_FORK)
     with connection.makefile() as lines:
         request = json.loads(lines.readline())
     pid = os.fork()
@@ -155,6 +162,8 @@ def _fork_kernel(connection, listener):
 
 def _run_kernel(request):
     """Run a kernel in the fork, as `python -m ipykernel_launcher` does; never returns."""
+    if sys.platform == "win32":
+        raise OSError(NO_FORK)
     try:
         os.setsid()
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)

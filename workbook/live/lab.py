@@ -11,6 +11,7 @@ import json
 import os
 import shutil
 import sys
+import threading
 from pathlib import Path
 
 from workbook.live.kernel_forkserver import skip_rfc3987_grammars
@@ -169,7 +170,13 @@ def serve(folder, port):
     config.FileContentsManager.delete_to_trash = False
     server = LabApp.initialize_server(argv=[], config=config)
     loop = server.io_loop
-    loop.add_handler(sys.stdin.fileno(), lambda *_: server.stop(), loop.READ)
+
+    def stop_with_parent():
+        sys.stdin.buffer.raw.read()  # until it closes
+        loop.add_callback(server.stop)
+
+    # a thread, since the loop of Windows cannot wait for a pipe
+    threading.Thread(target=stop_with_parent, daemon=True).start()
     loop.add_callback(lambda: print("ready", flush=True))
     server.start()
 

@@ -23,13 +23,13 @@ from IPython.utils.capture import capture_output
 
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.statements import assigned_names
+from workbook.checks.contract.report import report
 from workbook.checks.contract.reporting import NotYet
 from workbook.live import steps
 from workbook.live.catch_up import cells_above
 from workbook.live.errors import LiveError, error_line
 from workbook.live.recordings import Recordings
 from workbook.live.worked_problem import WorkedProblem, choose_answer
-from workbook.mistakes.reporting import report
 
 MAGICS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore", "solution")
 

@@ -3,11 +3,11 @@
 import json
 import os
 import secrets
-import select
 import signal
 import socket
 import subprocess
 import sys
+import threading
 import webbrowser
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
@@ -127,7 +127,7 @@ def _running(folder, presentation, port, prepare):
 
     try:
         server = start("workbook.live.lab", str(folder), str(port))
-        if hasattr(os, "fork"):
+        if sys.platform != "win32":
             forkserver = start("workbook.live.kernel_forkserver", environment[SOCKET])
             with suppress(BrokenPipeError):  # without a forkserver kernels start as usual
                 forkserver.stdin.write(
@@ -159,9 +159,13 @@ def _end(process):
 
 
 def _wait_until_ready(server, folder):
-    ready, _, _ = select.select([server.stdout], [], [], TIMEOUT)
-    if not (ready and server.stdout.readline()):
-        lines = (folder / "log").read_text(errors="replace").split("\n")
+    lines = []
+    # a thread, since Windows cannot wait for a pipe for a limited time
+    reader = threading.Thread(target=lambda: lines.append(server.stdout.readline()), daemon=True)
+    reader.start()
+    reader.join(TIMEOUT)
+    if not any(lines):
+        lines = (folder / "log").read_text(encoding="utf-8", errors="replace").split("\n")
         reason = next(
             (line for line in reversed(lines) if line.strip()), f"no answer in {TIMEOUT} s"
         )

@@ -6,6 +6,7 @@ Where no forkserver answers, kernels start as processes of their own, as usual.
 import asyncio
 import os
 import signal
+import sys
 from importlib.metadata import EntryPoint
 
 from jupyter_client.provisioning import KernelProvisionerFactory, LocalProvisioner
@@ -26,8 +27,7 @@ class ForkedKernelProvisioner(LocalProvisioner):
             self.pid = self.pgid = await asyncio.to_thread(
                 request_kernel, os.environ[SOCKET], request
             )
-        # no forkserver, or no such sockets (Windows)
-        except (OSError, KeyError, AttributeError):
+        except (OSError, KeyError):  # no forkserver, as on Windows
             return await super().launch_kernel(cmd, **options)
         self.process = _ForkedProcess(self.pid)
         self.cwd = request["folder"]
@@ -56,7 +56,8 @@ class _ForkedProcess:
         os.kill(self.pid, number)
 
     def kill(self):
-        self.send_signal(signal.SIGKILL)
+        if sys.platform != "win32":
+            self.send_signal(signal.SIGKILL)
 
     def terminate(self):
         self.send_signal(signal.SIGTERM)

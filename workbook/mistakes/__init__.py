@@ -7,6 +7,7 @@ does not depend on its form (`signature`).
 
 import json
 
+from workbook.checks.contract.former_names import with_former_names
 from workbook.notebooks import exercises
 
 
@@ -31,15 +32,18 @@ def find_mistake(problem, answer, value):
     from workbook.mistakes.sealing import find
     from workbook.mistakes.signature import AnswerType, NoSignature, signatures
 
-    # a page of the site has the sealed mistakes without the notebooks
-    file = mistakes_file(exercises.path_of(problem))
-    mistakes = (
-        json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer)
-        if file.is_file()
-        else None
-    )
-    if mistakes is None:
+    try:
+        path = exercises.path_of(problem)
+    except exercises.UnknownExercise:  # a notebook of another edition
         return ""
+    # a page of the site has the sealed mistakes without the notebooks
+    file = mistakes_file(path)
+    known = json.loads(file.read_text(encoding="utf-8"))["answers"] if file.is_file() else {}
+    # the check cell of an earlier notebook has the former name
+    answer = next((name for name in known if answer in (name, with_former_names(name))), None)
+    if answer is None:
+        return ""
+    mistakes = known[answer]
     answer_type = AnswerType(mistakes["kind"], mistakes["symbols"])
     try:
         return find(mistakes["told"], f"{problem} {answer}", signatures(value, answer_type))

@@ -12,10 +12,12 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
-from workbook.checks.contract import cell_watch
+from workbook.checks.contract import cell_watch, former_names
+from workbook.checks.contract.check_cells import checked_names
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.error_hints import hint_for
 from workbook.checks.contract.traversal import EncodingError
+from workbook.checks.contract.typed_code import expression_in, read_typed
 
 #: Bytes of all encoded answers together: more than any honest notebook needs, within one message of
 #: the sandbox.
@@ -47,8 +49,9 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     -------
     dict
         "encoded": encoded answers by name; "unreadable": messages on other answers by name;
-        "errors": a line for each failed cell; "stopped": numbers of stopped cells, from 1; "failed"
-        and "overwritten": what `contract.cell_watch` listed of answers, the first only of those
+        "errors": a line for each failed cell; "read": the code that cells were taken for, where it is
+        not what was typed; "stopped": numbers of stopped cells, from 1; "failed", "overwritten" and
+        "meant": what `contract.cell_watch` listed of answers, the first and the last only of those
         without a value.
     """
     # loads what renders reports; the error of a check cell, which is no error of the notebook
@@ -75,7 +78,7 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         _rerun_failed(notebook, sources, failed)
         encoded, unreadable = notebook.encoded()
     errors = [
-        f"code cell {k}: {_error_line(error)}"
+        f"code cell {k}: {notebook.error_line(error, sources[k - 1])}"
         for k, error in failed.items()
         if not isinstance(error, (CellTimeout, NotYet))
     ]
@@ -83,6 +86,7 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         "encoded": encoded,
         "unreadable": unreadable,
         "errors": errors,
+        "read": notebook.read,
         "stopped": [k for k, error in failed.items() if isinstance(error, CellTimeout)],
         "failed": {
             name: error
@@ -91,6 +95,9 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         },
         "overwritten": {
             name: previous for name, previous in cell_watch.overwritten.items() if name in names
+        },
+        "meant": {
+            name: typed for name, typed in cell_watch.meant.items() if name not in notebook.answers
         },
     }
 
@@ -103,7 +110,7 @@ def prepare():
 
 
 #: Shells that have run no cell of a notebook.
-_prepared = []
+_prepared: list = []
 
 
 def _rerun_failed(notebook, sources, failed):
@@ -124,26 +131,34 @@ class _Notebook:
     """A fresh shell for one notebook, without a history."""
 
     def __init__(self, names, timer):
-        self.names, self.answers = names, {}
+        self.names, self.answers, self.read = names, {}, []
         self._timer, self._shell = timer, _prepared.pop() if _prepared else _new_shell()
 
     def run(self, source):
         """Run a cell and store the answers; return its error or None."""
+        names = self._shell.user_ns
         try:
             with self._timer.limit():
-                cell_watch.before_cell(self._shell.user_ns, source)
+                if checked := checked_names(source):
+                    self.read += cell_watch.take_expressions(names, checked)
+                    cell_watch.note_slips(names, checked, self.names)
+                cell_watch.before_cell(names, source)
                 outcome = self._shell.run_cell(source, store_history=False)
                 error = outcome.error_before_exec or outcome.error_in_exec
-                cell_watch.after_cell(self._shell.user_ns, source, error)
+                read = read_typed(source)
+                # an expression is read as an assignment, once its answer is known
+                self.read += [read] if read != source and not expression_in(read) else []
+                cell_watch.after_cell(names, read, error, outcome.result)
         # sources that IPython cannot run, such as text with a lone surrogate
         except BaseException as failure:
             error = failure
+        former_names.adopt(names, self.names)
         for name in self.names:
-            value = self._shell.user_ns.get(name, ...)
+            value = names.get(name, ...)
             if value is not ...:
                 self.answers[name] = value
             elif name in self.answers:
-                self._shell.user_ns[name] = self.answers[name]
+                names[name] = self.answers[name]
         return error
 
     def run_for_missing(self, source):
@@ -152,6 +167,16 @@ class _Notebook:
         error = self.run(source)
         self.answers |= existing
         return error
+
+    def error_line(self, error, source):
+        """Return an error in one line, also if its class overrides names and texts."""
+        name = type.__dict__["__name__"].__get__(type(error))
+        try:
+            text = str(error)[:300]
+        except BaseException:
+            text = "(its text cannot be read)"
+        hint = hint_for(text, source, self._shell.user_ns)
+        return f"{name}: {text}" + (". " + hint.replace("\n", " ") if hint else "")
 
     def encoded(self):
         """Return encoded answers and messages on unreadable ones, by name; a stub is an answer."""
@@ -194,22 +219,27 @@ class _CellTimer:
 
     @contextmanager
     def limit(self):
-        timers = TIMERS if self._deadlines else ()
-        for _, signal_number in timers:
+        # Windows and WebAssembly have no such timers: there the parent ends the process, and all
+        # cells with it
+        if sys.platform == "win32" or sys.platform == "wasi" or not self._deadlines:
+            yield
+            return
+        for _, signal_number in TIMERS:
             signal.signal(signal_number, _raise_timeout)
         for deadline, clock, (timer, _) in zip(self._deadlines, CLOCKS, TIMERS):
             signal.setitimer(timer, max((deadline - clock()) / 2, 0.01))
         try:
             yield
         finally:
-            for timer, signal_number in timers:
+            for timer, signal_number in TIMERS:
                 signal.setitimer(timer, 0)
                 # the watchdog of this process may send it too
                 signal.signal(signal_number, signal.SIG_IGN)
 
 
 CLOCKS = (time.process_time, time.monotonic)
-TIMERS = ((signal.ITIMER_PROF, signal.SIGPROF), (signal.ITIMER_REAL, signal.SIGALRM))
+if sys.platform != "win32" and sys.platform != "wasi":
+    TIMERS = ((signal.ITIMER_PROF, signal.SIGPROF), (signal.ITIMER_REAL, signal.SIGALRM))
 
 
 def _raise_timeout(*_):
@@ -236,6 +266,7 @@ def _new_shell():
         def __call__(self, result=None):
             if result is not None:
                 self.update_user_ns(result)
+                self.fill_exec_result(result)
 
     class Shell(InteractiveShell):
         displayhook_class = SilentDisplayHook
@@ -257,16 +288,6 @@ def _new_shell():
     config = Config()
     config.HistoryManager.enabled = False
     shell = Shell(config=config, history_length=0, colors="nocolor")
+    cell_watch.read_typed_cells(shell)
     shell.configurables.append(InlineBackend(parent=shell))  # for `%config InlineBackend...`
     return shell
-
-
-def _error_line(error):
-    """Return an error in one line, also if its class overrides names and texts."""
-    name = type.__dict__["__name__"].__get__(type(error))
-    try:
-        text = str(error)[:300]
-    except BaseException:
-        text = "(its text cannot be read)"
-    hint = hint_for(text)
-    return f"{name}: {text}" + (". " + hint.replace("\n", " ") if hint else "")

@@ -15,6 +15,8 @@ from trajlib._lazy import home_of
 #: Our packages, and the folder that holds them.
 PACKAGES = ("trajlib", "workbook")
 ROOT = Path(__file__).resolve().parents[2]
+#: A module that calls a hook depends on what the package above has put into it.
+HOOKS = "workbook.hooks"
 
 
 def module_closure(source):
@@ -138,6 +140,8 @@ def _dotted(node):
 @cache
 def _loaded_by(module, path):
     package = module if _is_package(module) else module.rpartition(".")[0]
+    if module == HOOKS:
+        path = module_path(package)
     return frozenset(_loaded(path.read_text(encoding="utf-8"), package))
 
 

@@ -6,9 +6,12 @@ of the student.
 """
 
 import json
+import math
 import multiprocessing
 import os
 import signal
+import sys
+import time
 import traceback
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -20,10 +23,11 @@ from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import UNCHECKED, Unusable, Verdict
 from workbook.notebooks.cells import run_cells
 
-CONTEXT = multiprocessing.get_context(
-    "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
-)
+#: macOS can fork too, but its libraries may crash afterwards.
+CONTEXT = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
 
+#: Seconds between two looks at the memory of a child.
+MEMORY_INTERVAL = 0.1
 INTERRUPTS = {signal.SIGINT, signal.SIGTERM}
 
 
@@ -40,23 +44,30 @@ class Run:
     errors : tuple of str
         A line for each cell that failed.
     notes : tuple of dict
-        What `contract.cell_watch` listed: (stopped, overwritten).
+        What `contract.cell_watch` listed: (stopped, overwritten, meant).
+    read : tuple of str
+        The code that cells were taken for, where it is not what was typed.
     """
 
     encoded: dict
     unreadable: dict
     errors: tuple
-    notes: tuple = ({}, {})
+    notes: tuple = ({}, {}, {})
+    read: tuple = ()
 
 
 class TimeLimit(RuntimeError):
     """A child process did not finish within its time."""
 
 
+class EndedEarly(RuntimeError):
+    """A child process ended without a result."""
+
+
 class Child:
     """A child process that computes `function(*args)` from now on.
 
-    It is forked where the system can fork, so that it starts with all modules of the parent.
+    It is forked on Linux, so that it starts with all modules of the parent.
 
     Parameters
     ----------
@@ -73,33 +84,52 @@ class Child:
             self._process.start()
         sender.close()
 
-    def result(self, timeout):
+    def result(self, timeout, memory=math.inf):
         """Return the next result.
 
         Parameters
         ----------
         timeout : float
             Seconds to wait for it.
+        memory : float
+            Bytes that the child may hold meanwhile: for systems that set no such limit themselves.
 
         Raises
         ------
         TimeLimit
             If there is none in this time, or the child has reached its limit of processor time.
+        EndedEarly
+            If the child ended without one, or held more memory.
         RuntimeError
-            If the function raised an error (with its traceback), or the child died.
+            If the function raised an error (with its traceback).
         """
         try:
-            if not self._receiver.poll(timeout):
+            if not self._wait(timeout, memory):
                 raise TimeLimit(f"no result after {timeout:g} s")
             kind, value = json.loads(self._receiver.recv_bytes())
         except EOFError:
             self._process.join()
-            if self._process.exitcode == -signal.SIGXCPU:
+            code = self._process.exitcode
+            if sys.platform != "win32" and code == -signal.SIGXCPU:
                 raise TimeLimit("no result within the limit of processor time") from None
-            raise RuntimeError("the process ended without a result") from None
+            raise EndedEarly(f"the process ended without a result, with exit code {code}") from None
         if kind == "error":
             raise RuntimeError(value)
         return value
+
+    def _wait(self, timeout, memory):
+        if memory == math.inf:
+            return self._receiver.poll(timeout)
+        import psutil  # Linux does without
+
+        child, end = psutil.Process(self._process.pid), time.monotonic() + timeout
+        while time.monotonic() < end:
+            if self._receiver.poll(MEMORY_INTERVAL):
+                return True
+            with suppress(psutil.NoSuchProcess):  # reading its result shows that it has ended
+                if child.memory_info().rss > memory:
+                    raise EndedEarly(f"the process held more than {memory / 2**20:.0f} MB")
+        return False
 
     def end(self):
         """Kill the child and release its resources."""
@@ -141,6 +171,8 @@ def run_notebook(sources, names, timeout=120, folder=None):
     ------
     TimeLimit
         If the cells take longer than `timeout`.
+    EndedEarly
+        If a cell ended the process.
     """
     result = in_child(
         run_cells, list(sources), list(names), str(folder) if folder else None, timeout=timeout
@@ -149,7 +181,8 @@ def run_notebook(sources, names, timeout=120, folder=None):
         {name: text.encode() for name, text in result["encoded"].items()},
         result["unreadable"],
         tuple(result["errors"]),
-        (result["failed"], result["overwritten"]),
+        (result["failed"], result["overwritten"], result["meant"]),
+        tuple(result["read"]),
     )
 
 
@@ -193,7 +226,7 @@ def judge(cells, run, names, timeout=60):
 @contextmanager
 def _interrupts_blocked():
     """Delay Ctrl-C and SIGTERM during a fork, where an exception of a signal handler is lost."""
-    if not hasattr(signal, "pthread_sigmask"):  # Windows
+    if sys.platform == "win32":
         yield
         return
     previous = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
@@ -204,7 +237,7 @@ def _interrupts_blocked():
 
 
 def _serve(sender, function, args):
-    if hasattr(signal, "pthread_sigmask"):
+    if sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)
     try:
         result = function(*args)
@@ -215,7 +248,7 @@ def _serve(sender, function, args):
     sender.close()
 
 
-def judge_cells(cells, encoded, unreadable, names, notes=({}, {})):
+def judge_cells(cells, encoded, unreadable, names, notes=({}, {}, {})):
     """Judge encoded answers in this process, which is to be a child process.
 
     Returns

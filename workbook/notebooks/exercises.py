@@ -14,12 +14,13 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
-from workbook.checks.contract.check_cells import check_calls
+from workbook.checks.contract.check_cells import check_calls, marked
+from workbook.checks.contract.former_names import with_former_names
 
 #: The report of a check cell, and what stands above it in a homework.
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 #: In the place of the check of an answer that only the grading judges.
-KEPT = re.compile(r"(\w+)=checks\.kept_for_grading\(\1\)")
+KEPT = re.compile(r"\b(\w+)=checks\.kept_for_grading\(\1\)")
 #: A report with the name of its problem or variant.
 NAMED_REPORT = re.compile(r'checks\.report\((f?"[\d.]+(~\d+|~\{row\})?",?)?')
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -62,17 +63,26 @@ class Exercise:
         return [(role, source) for role, source in self.cells if role in roles]
 
     def sources_to_run(self, sources):
-        """Return a student's code cells, with "" for check cells that have not been changed."""
+        """Return a student's code cells, with marks for check cells that have not been changed.
 
-        checks = [source for _, source in self.code("check")]
-        calls = {name: call for source in checks for name, call in check_calls(source).items()}
+        The cells that check steps count for nothing; where they have not been changed, they are empty.
+        """
+        checks = [
+            (marked(source), form)
+            for _, source in self.code("check")
+            # degree= was called margin=
+            for text in (source.replace("degree=", "margin="), source)
+            for form in (with_former_names(text), text)
+        ]
+        calls = {name: call for _, form in checks for name, call in check_calls(form).items()}
 
         def plain(source):  # in practice and in homework, with any numbers
             checked = KEPT.sub(lambda kept: f"{kept[1]}={calls.get(kept[1], '')}", source)
             return NAMED_REPORT.sub(REPORT, checked.replace(HIDING, "")).strip()
 
-        pristine = set(map(plain, checks))
-        return ["" if plain(source) in pristine else source for source in sources]
+        marks = {plain(form): mark for mark, form in checks}
+        marks |= {plain(source): "" for _, source in self.code("steps")}
+        return [marks.get(plain(source), source) for source in sources]
 
 
 def folder():
@@ -223,11 +233,7 @@ def add_links(notebook, url_of):
             match = re.search(
                 rf"\[{words}\]\([^)\s]*\)|{words}" if is_prose else rf'"[^"]*{words}[^"]*"', source
             )
-            link = (
-                f"[{text}]({url_of(address)})"
-                if is_prose
-                else f'"trajlib[workbook] @ {url_of(address)}"'
-            )
+            link = f"[{text}]({url_of(address)})" if is_prose else f'"{url_of(address)}"'
             done += source[: match.start()] + link
             source = source[match.end() :]
         cell["source"] = done + source
@@ -241,4 +247,4 @@ def site_urls(site):
 
 def _role(cell):
     tags = cell.get("metadata", {}).get("tags", [])
-    return next((tag for tag in tags if tag in ("data", "answer", "check")), "")
+    return next((tag for tag in tags if tag in ("data", "answer", "check", "steps")), "")

@@ -32,10 +32,15 @@ def set_matrices(record, shapes, determined_by, symmetric=(), meaning=""):
 
 def to_matrix(value, shape):
     """Return a matrix of a value; a number is 1 x 1, and 0 a zero matrix of the shape."""
-    if shape is not None and not isinstance(value, (list, tuple, sp.MatrixBase)) and value == 0:
-        return sp.zeros(*shape)
-    return sp.Matrix(
-        value
-        if isinstance(value, (list, tuple, sp.MatrixBase)) or hasattr(value, "shape")
-        else [[value]]
-    )
+    if _is_array(value):
+        return sp.Matrix(value)
+    return sp.zeros(*shape) if shape is not None and value == 0 else sp.Matrix([[value]])
+
+
+def is_zero(value):
+    """Return whether this is the number 0, which stands for a zero matrix of any shape."""
+    return not _is_array(value) and value == 0
+
+
+def _is_array(value):
+    return isinstance(value, (list, tuple)) or bool(getattr(value, "shape", ()))

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, fields
 
 import sympy as sp
 
-from workbook.systems._matrices import set_matrices
+from workbook.systems._matrices import is_zero, set_matrices
 
 
 @dataclass(frozen=True)
@@ -249,7 +249,9 @@ class Mechanical:
 
     def __post_init__(self):
         n = sp.Matrix(self.M).rows
-        outputs = max([sp.Matrix(rows).rows for rows in (self.H1, self.H2) if rows != 0], default=1)
+        outputs = max(
+            [sp.Matrix(rows).rows for rows in (self.H1, self.H2) if not is_zero(rows)], default=1
+        )
         shapes = {
             "M": (n, n),
             "D": (n, n),
@@ -260,7 +262,7 @@ class Mechanical:
         }
         for name, (rows, columns) in shapes.items():
             value = getattr(self, name)
-            matrix = sp.zeros(rows, columns or 1) if value == 0 else sp.Matrix(value)
+            matrix = sp.zeros(rows, columns or 1) if is_zero(value) else sp.Matrix(value)
             if matrix.rows != rows or columns not in (None, matrix.cols):
                 raise ValueError(
                     f"{name} has the shape {matrix.shape}; with this M it has to have {rows} rows"

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from workbook.systems._matrices import set_matrices, to_matrix
+from workbook.systems._matrices import is_zero, set_matrices, to_matrix
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Process:
     discrete: bool = False
 
     def __post_init__(self):
-        n, m = to_matrix(self.A, None).rows, to_matrix(self.H, None).rows if self.H != 0 else 0
+        n, m = to_matrix(self.A, None).rows, 0 if is_zero(self.H) else to_matrix(self.H, None).rows
         shapes = {
             "A": (n, n),
             "Q": (n, n),

@@ -10,20 +10,20 @@ from pathlib import Path
 
 from workbook.grading.course import course
 from workbook.grading.pool.judging import Bounds
-from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.sandbox.limits import Limits
 
 #: Tight, so that endless submissions end soon; honest ones need a third of it.
 LIMITS = Limits(cpu_seconds=4, wall_seconds=8, memory_megabytes=512)
 BOUNDS = Bounds(seconds=8, answer_seconds=3)
 
 
-def run(here, environment, once=False, timeout=400):
-    """Grade in a process of its own; return whether it came to its end."""
+def run(here, environment, wasm=False, timeout=400):
+    """Grade in a process of its own, in WebAssembly or not; return whether it came to its end."""
     with open(here / "output.txt", "wb") as output:
         # The password file stays open and is inherited, as careless programs do.
         with open(here / "solutions/secret.txt") as secret:
             done = subprocess.run(
-                [sys.executable, __file__, *(["once"] if once else [])],
+                [sys.executable, __file__, *(["wasm"] if wasm else [])],
                 cwd=here,
                 env=os.environ | environment,
                 stdout=output,
@@ -50,4 +50,11 @@ def results(here):
 
 
 if __name__ == "__main__":
-    course.grade(Path("submitted"), Path("graded"), count=2, limits=LIMITS, bounds=BOUNDS)
+    course.grade(
+        Path("submitted"),
+        Path("graded"),
+        count=2,
+        limits=LIMITS,
+        bounds=BOUNDS,
+        wasm="wasm" in sys.argv,
+    )

@@ -111,7 +111,7 @@ PATCHING = [
                from workbook.checks.contract.verdict import Verdict
                checks = sys.modules["workbook.checks"] = types.ModuleType("workbook.checks")
                checks.stability_region = lambda *given: Verdict("right", "")
-               from workbook.mistakes.reporting import report
+               from workbook.checks.contract.report import report
                checks.report, checks.collecting = report, reporting.collecting
                sys.modules["workbook"].checks = checks
                """,
@@ -149,7 +149,7 @@ PATCHING = [
                from workbook.checks.contract import reporting
                from workbook.checks.contract.verdict import Verdict
                reporting._collected.get()["a_region"] = Verdict("right", "")
-               from workbook.mistakes.reporting import report
+               from workbook.checks.contract.report import report
                report.__code__ = (lambda **given: None).__code__
                """,
             WRONG,

@@ -3,9 +3,11 @@
 In ours it gains nothing, harms no other student and stops nothing.
 """
 
+import os
 import sys
 from pathlib import Path
 
+import platformdirs
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -15,6 +17,7 @@ from hostile.attack import SECRET
 from hostile.course import a_course, seen_by_naive, seen_by_ours
 from hostile.table import ATTACKS
 
+from workbook.grading.pool.judging import END_REMARKS
 from workbook.grading.sandbox.isolation import PACKAGE
 
 HONEST = ("a-honest", "z-honest")
@@ -43,11 +46,18 @@ def test_attack_succeeds_unguarded(attack):
 
 
 @pytest.mark.slow
-def test_no_attack_succeeds_guarded():
-    """All attacks in one run, with honest students before, between and after."""
+@pytest.mark.timeout(1800)  # where Python is to be compiled to WebAssembly first
+@pytest.mark.parametrize("wasm", [False, True], ids=["bubblewrap", "wasm"])
+def test_no_attack_succeeds_guarded(wasm):
+    """All attacks in one run, with honest students before, between and after.
+
+    In WebAssembly a sample of them; `make test-sandboxes` takes all.
+    """
+    sample = wasm and not os.environ.get("WORKBOOK_ALL_PROBLEMS")
+    attacks = ATTACKS[::4] if sample else ATTACKS
     with a_course() as course:
         honest = {}
-        for k, attack in enumerate(ATTACKS):
+        for k, attack in enumerate(attacks):
             course.hand_in(f"m{k:03}", attack)
             if k % APART == 0:
                 honest[f"m{k:03}-honest"] = len(RIGHT_1_15)
@@ -56,9 +66,11 @@ def test_no_attack_succeeds_guarded():
             course.hand_in_honestly(student, notebook("1.15", RIGHT_1_15))
         course.open_to_all()
         before = _files(course.here)
-        finished = ours.run(
-            course.here, {"COURSE_SECRET": SECRET, "HOME": str(course.here / "home")}
-        )
+        environment = {"COURSE_SECRET": SECRET, "HOME": str(course.here / "home")}
+        if wasm:  # the compiled Python is this user's, and no secret
+            cache = platformdirs.user_cache_path("workbook", appauthor=False)
+            environment["XDG_CACHE_HOME"] = str(cache.parent)
+        finished = ours.run(course.here, environment, wasm, timeout=1500 if wasm else 400)
         output = (course.here / "output.txt").read_text(errors="replace")
         assert finished, output[-3000:]
 
@@ -66,11 +78,12 @@ def test_no_attack_succeeds_guarded():
         failures = [
             f"honest {name}: {results.get(name)}" for name in honest if not _full(results.get(name))
         ]
-        for k, attack in enumerate(ATTACKS):
+        for k, attack in enumerate(attacks):
             failures += _failures(
                 attack,
                 results.get(f"m{k:03}", []),
                 seen_by_ours(course, results, f"m{k:03}", honest, finished),
+                wasm,
             )
         after = _files(course.here)
         failures += [f"changed: {path}" for path in before if after.get(path) != before[path]]
@@ -83,18 +96,24 @@ def test_no_attack_succeeds_guarded():
         assert not failures, "\n".join(failures) + "\n" + output[-3000:]
 
 
-def _failures(attack, results, seen):
-    """Return what is not as it must be after an attack."""
+def _failures(attack, results, seen, wasm):
+    """Return what is not as it must be after an attack.
+
+    In WebAssembly a notebook may wait for a machine with Linux, and what ends it may be another
+    thing.
+    """
     failures = []
     if attack.success(seen):
         failures.append(f"succeeded: {seen}")
     if seen.points or SECRET in seen.text:
         failures.append(f"has points or secrets: {seen}")
     remarks = [remark for result in results for remark in result["remarks"]]
-    if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks):
+    blamed = ("notebook: ", "limits: ", *([END_REMARKS["elsewhere"]] if wasm else []))
+    if not all(remark.startswith(blamed) for remark in remarks):
         failures.append(f"the grader is blamed, or nobody: {remarks}")
     if (
-        attack.blame
+        not wasm
+        and attack.blame
         and not any(remark.startswith(attack.blame) for remark in remarks)
         and not _told(results)
     ):

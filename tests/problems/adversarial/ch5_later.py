@@ -353,10 +353,10 @@ ROWS = [
     wrong("5.50", "a_values", "sp.And(k > 0, sp.Ne(k, 1))", "k < 0 works too"),
     wrong("5.50", "b_starts", "sp.Abs(b) <= 1.02*T", "two per cent too far"),
     wrong("5.50", "b_control", "v*(1 - t/2)", "it does not come back"),
-    wrong("5.50", "c_lost", "[sp.Matrix([[1, 0, -1, 0]])]", "one is missing"),
+    wrong("5.50", "c_uncontrollable_rows", "[sp.Matrix([[1, 0, -1, 0]])]", "one is missing"),
     wrong(
         "5.50",
-        "c_lost",
+        "c_uncontrollable_rows",
         "[sp.Matrix([[1, 0, 1, 0]]), sp.Matrix([[0, 1, 0, 1]])]",
         "the sums are driven",
     ),
@@ -365,7 +365,7 @@ ROWS = [
     right("5.50", "b_control", "v*(1 - t)", "odd about the middle"),
     right(
         "5.50",
-        "c_lost",
+        "c_uncontrollable_rows",
         "[sp.Matrix([[1, 1, -1, -1]]), sp.Matrix([[1, -1, -1, 1]])]",
         "sum and difference",
     ),
@@ -1286,13 +1286,13 @@ ROWS = [
     wrong("5.50", "b_control", "v*sp.cos(1.59*t)", "more than one per cent off"),
     wrong(
         "5.50",
-        "c_lost",
+        "c_uncontrollable_rows",
         "[sp.Matrix([[1, 0, -1, 0]]), sp.Matrix([[2, 0, -2, 0]])]",
         "two that are dependent",
     ),
     wrong(
         "5.50",
-        "c_lost",
+        "c_uncontrollable_rows",
         "[sp.Matrix([[1, 0, -1.02, 0]]), sp.Matrix([[0, 1, 0, -1]])]",
         "two per cent off",
     ),
@@ -1715,7 +1715,7 @@ ROWS = [
     ),
     right("5.50", "b_control", "v*sp.cos(sp.pi*t)", "a whole period"),
     wrong("5.50", "b_control", "v*(1 - 1.01*t)", "one per cent off: it ends beside zero"),
-    wrong("5.50", "c_lost", "[[1, 0, -1, 0]]", "one of two"),
+    wrong("5.50", "c_uncontrollable_rows", "[[1, 0, -1, 0]]", "one of two"),
     right(
         "5.53", "surface", "sp.Eq(m, v**2*sp.sqrt(a*(c + v)/(b*(3*c + v))))", "solved for the mass"
     ),

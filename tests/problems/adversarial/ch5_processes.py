@@ -400,4 +400,18 @@ ROWS = [
         "two per cent off, at a mere bend",
     ),
     right("5.26", "law", WITH_ENERGY.format("7.17", "sp.Rational(23, 6)"), "43/6 to three digits"),
+    right(
+        "5.17",
+        "a_control",
+        "[[-sp.sign(x0), sp.Abs(x0)], [0, T]]",
+        "the first arc ends after T from far away: what comes after the end does not count",
+    ),
+    right(
+        "5.17",
+        "a_control",
+        "[[-sp.sign(x0), sp.Min(sp.Abs(x0), T)], [0, T]]",
+        "the second arc has no length from far away",
+    ),
+    wrong("5.17", "a_control", "[[-sp.sign(x0), sp.Abs(x0)], [0, T/2]]", "it ends too early"),
+    wrong("5.17", "a_control", "[[-sp.sign(x0), 2*sp.Abs(x0)], [0, T]]", "it goes too far"),
 ]

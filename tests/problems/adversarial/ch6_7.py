@@ -60,11 +60,19 @@ ROWS = [
         "after a quarter of a period the cosine is negative",
     ),
     wrong("7.1", "a_speed", "v0 + (b - g*phi0)*t - g*eps*t**2/2", "a truncated series"),
-    wrong("7.1", "b_unseen", "[0, g - R, 0, g*(g - R)]", "zero for g = R"),
+    wrong("7.1", "b_unobservable_change", "[0, g - R, 0, g*(g - R)]", "zero for g = R"),
     wrong("7.1", "c_error", "-1.01*b/g", "one per cent off"),
-    right("7.1", "b_unseen", "{'v0': 0, 'phi0': 1, 'eps': 0, 'b': g}", "a dict by the names"),
+    right(
+        "7.1",
+        "b_unobservable_change",
+        "{'v0': 0, 'phi0': 1, 'eps': 0, 'b': g}",
+        "a dict by the names",
+    ),
     wrong(
-        "7.1", "b_unseen", "{'v0': 0, 'phi0': -1, 'eps': 0, 'b': g}", "a dict, with a wrong sign"
+        "7.1",
+        "b_unobservable_change",
+        "{'v0': 0, 'phi0': -1, 'eps': 0, 'b': g}",
+        "a dict, with a wrong sign",
     ),
     right(
         "7.1",
@@ -85,8 +93,8 @@ ROWS = [
         "sp.Ne(p**2*(y + w*t)**2, q**2*(x + u*t)**2)",
         "squaring adds a direction",
     ),
-    wrong("7.2", "a_unseen", "[u*x, u*y, u**2, u*w]", "zero for u = 0"),
-    wrong("7.2", "a_unseen", "[x/u, y/u, 1, w/u]", "undefined for u = 0"),
+    wrong("7.2", "a_unobservable_change", "[u*x, u*y, u**2, u*w]", "zero for u = 0"),
+    wrong("7.2", "a_unobservable_change", "[x/u, y/u, 1, w/u]", "undefined for u = 0"),
     wrong(
         "7.2",
         "b_condition",
@@ -102,13 +110,13 @@ ROWS = [
     right("7.2", "b_condition", "sp.Ne((x + u*t)*q, (y + w*t)*p)", "the two products"),
     right(
         "7.2",
-        "a_unseen",
+        "a_unobservable_change",
         "sp.Matrix([x, y, u, w])/sp.sqrt(x**2 + y**2 + u**2 + w**2)",
         "scaled to length 1",
     ),
     wrong(
         "7.3",
-        "b_unseen",
+        "b_unobservable_states",
         "[[n1, 0, -n1**2/n3, 0, -2*omega*n1, 2*n1*n2*omega/n3], [0, 2, -2*n2/n3, omega, 0, "
         "-n1*omega/n3]]",
         "the first one vanishes for n1 = 0",

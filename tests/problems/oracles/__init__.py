@@ -1,8 +1,8 @@
 """Oracles: decide, without the check, whether a mutant is the right answer in another form.
 
 The default compares with the reference answer by value (`sameness`). A check that accepts several
-answers has an oracle of its own: the oracles of `workbook/checks/stability/stationary_points.py`
-are in `stability/stationary_points.py` here, by the names of the checks in `ORACLES`. A check has
+answers has an oracle of its own: the oracles of `workbook/checks/stability/equilibria.py`
+are in `stability/equilibria.py` here, by the names of the checks in `ORACLES`. A check has
 to reject what no oracle proves right.
 """
 

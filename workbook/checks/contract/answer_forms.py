@@ -17,7 +17,7 @@ KINDS = (
     (sp.logic.boolalg.Boolean, "a condition"),
     ((sp.Set, set, frozenset), "a set"),
     ((list, tuple, sp.Tuple), "a list"),
-    (dict, "a dict"),
+    (dict, "a dict: give its values alone"),
 )
 
 

@@ -16,18 +16,37 @@ import ast
 import linecache
 import re
 
-from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract import former_names
+from workbook.checks.contract.check_cells import checked_names
 from workbook.checks.contract.error_hints import hint_for
+from workbook.checks.contract.typed_code import (
+    compared_name,
+    expression_in,
+    read_typed,
+    similar_name,
+    skeleton,
+)
 
 #: {name of a variable: the error that ended the last cell meant to assign it}
-stopped = {}
+stopped: dict = {}
 #: {name of a variable: the names of the data that were overwritten when its cell had run}
-overwritten = {}
-_data = {}
-_before = {}
-_student_values = {}
+overwritten: dict = {}
+#: {answer without a value: what a cell assigns instead, or the answer itself where one compares it}
+meant: dict = {}
+_data: dict = {}
+_before: dict = {}
+_student_values: dict = {}
+#: Names to which cells gave values, and names that they compared (`a == k1`) in place of that.
+_assigned_names: dict = {}
+_compared_names: dict = {}
+#: [(code, value)] of the cells since the last check that are one expression.
+_expressions: list = []
+#: {id of a cell: the answer whose stub it was}
+_stubs: dict = {}
+#: The answers that checks have reported or stubs have named.
+_answers: dict = {}
 
-ASSIGNED = re.compile(r"^([A-Za-z_][\w, ]*?)\s*(?::[^=\n]+)?=(?!=)", re.M)
+ASSIGNED = re.compile(r"^([^\W\d]\w*(?: *, *[^\W\d]\w*)*) *(?::[^=\n]+)?=(?!=)", re.M)
 MAX_NAME = 60
 IMPORT = "from workbook import checks"
 #: Code with variables of its own.
@@ -59,7 +78,7 @@ def before_cell(namespace, source):
     _before.update({name: namespace.get(name) for name in _assigned(source)})
 
 
-def after_cell(namespace, source, error):
+def after_cell(namespace, source, error, value=None, answer=""):
     """List the answers of a cell that stopped, or after which data are overwritten.
 
     Parameters
@@ -70,6 +89,16 @@ def after_cell(namespace, source, error):
         The cell.
     error : BaseException or None
         The error that ended it.
+    value : object, optional
+        The value of its last line.
+    answer : str, optional
+        The answer that belongs into this cell, if it is known. Without a value it is given that of a
+        cell that is one expression.
+
+    Returns
+    -------
+    str
+        The assignment that the cell was taken for, or "".
     """
     if error is None and IMPORT in source and "checks.report(" not in source:
         _data.update({name: namespace[name] for name in _bound(source) if name in namespace})
@@ -82,6 +111,73 @@ def after_cell(namespace, source, error):
             stopped[name] = type.__dict__["__name__"].__get__(type(error))
         elif overwritten_data:
             overwritten[name] = overwritten_data
+        if name not in _data and not _is_open(namespace, name):
+            _assigned_names[name] = True
+    if compared := compared_name(source):
+        _compared_names[compared] = True
+    if value is None or value is ... or not (code := expression_in(source)):
+        return ""
+    if answer:
+        return (
+            _assigned_value(namespace, answer, code, value) if _is_open(namespace, answer) else ""
+        )
+    _expressions.append((code, value))
+    return ""
+
+
+def take_expressions(namespace, names):
+    """Assign the cells since the last check that are one expression to its answers without a name.
+
+    A stub that still stands has been run, and its name exists; only where as many answers do not as
+    there are such cells is it plain which is which.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's names.
+    names : list of str
+        The answers of the check.
+
+    Returns
+    -------
+    list of str
+        The assignments that the cells were taken for.
+    """
+    absent = [name for name in names if name not in namespace]
+    taken = zip(absent, _expressions) if len(absent) == len(_expressions) else ()
+    lines = [_assigned_value(namespace, name, *expression) for name, expression in taken]
+    _expressions.clear()
+    return lines
+
+
+def note_slips(namespace, names, answers=()):
+    """List in `meant` the answers without a value whose names are misspelt in a cell, or compared.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's names.
+    names : iterable of str
+        The answers.
+    answers : iterable of str, optional
+        All answers of the problem, as far as they are known: none of them is a slip for another.
+    """
+    open_names = [name for name in names if _is_open(namespace, name)]
+    for name in names:
+        meant.pop(name, None)
+    meant.update({name: name for name in open_names if name in _compared_names})
+    for typed in _assigned_names:
+        if typed not in answers and (name := similar_name(typed, open_names)):
+            meant[name] = typed
+
+
+def _is_open(namespace, name):
+    return namespace.get(name, ...) is ...
+
+
+def _assigned_value(namespace, name, code, value):
+    namespace[name] = value
+    return f"{name} = {code}"
 
 
 def before_check(namespace, source):
@@ -94,15 +190,27 @@ def before_check(namespace, source):
         that were overwritten to what the data cell set, as in a grader.
     source : str
         The cell; nothing happens unless it is a check cell.
+
+    Returns
+    -------
+    list of str
+        The assignments that cells without a name were taken for.
     """
-    if names := _reported(source):
-        for name in names:
-            namespace.setdefault(name, ...)
-        overwritten_data = _overwritten_data(namespace)
-        _student_values.update(
-            {name: namespace[name] for name in overwritten_data if name in namespace}
-        )
-        namespace.update({name: _data[name] for name in overwritten_data})
+    names = checked_names(source)
+    if not names:
+        return []
+    former_names.adopt(namespace, names)
+    lines = take_expressions(namespace, names)
+    _answers.update(dict.fromkeys(names))
+    note_slips(namespace, names, _answers)
+    for name in names:
+        namespace.setdefault(name, ...)
+    overwritten_data = _overwritten_data(namespace)
+    _student_values.update(
+        {name: namespace[name] for name in overwritten_data if name in namespace}
+    )
+    namespace.update({name: _data[name] for name in overwritten_data})
+    return lines
 
 
 def after_check(namespace):
@@ -113,19 +221,30 @@ def after_check(namespace):
 
 def forget():
     """Forget all cells that have run, for a new namespace."""
-    for names in (stopped, overwritten, _data, _before, _student_values):
-        names.clear()
+    for kept in (
+        *(stopped, overwritten, meant, _data, _before, _student_values),
+        *(_assigned_names, _compared_names, _answers, _expressions, _stubs),
+    ):
+        kept.clear()
 
 
-def recall(stopped_cells, overwritten_names):
-    """Let `report` know what `after_cell` listed in another process.
+def recall(stopped_cells, overwritten_names, meant_names):
+    """Let `report` know what was listed in another process.
 
     Parameters
     ----------
-    stopped_cells, overwritten_names : dict
-        `stopped` and `overwritten` there. A student's code may have changed them: what is not made
-        of names is left out, so that it cannot forge a message.
+    stopped_cells, overwritten_names, meant_names : dict
+        `stopped`, `overwritten` and `meant` there. A student's code may have changed them: what is
+        not made of names is left out, so that it cannot forge a message.
     """
+    meant.clear()
+    meant.update(
+        {
+            name: typed
+            for name, typed in meant_names.items()
+            if type(typed) is str and _is_word(skeleton(typed)) and typed.isidentifier()
+        }
+    )
     stopped.clear()
     stopped.update({name: error for name, error in stopped_cells.items() if _is_word(error)})
     overwritten.clear()
@@ -143,22 +262,50 @@ def start(shell):
     if getattr(shell, "workbook_watches", False):
         return
     shell.workbook_watches = True
+    read_typed_cells(shell)
     shell.events.register("pre_run_cell", lambda info: _before_cell(shell, info.raw_cell))
     shell.events.register("post_run_cell", lambda result: _after_cell(shell, result))
     if not shell.custom_exceptions:
         shell.set_custom_exc((TypeError, NameError, AttributeError, SyntaxError), _show_error)
 
 
+def read_typed_cells(shell):
+    """Let an IPython shell run what was meant by cells that Python cannot read."""
+
+    def read(lines):
+        return read_typed("".join(lines)).splitlines(keepends=True)
+
+    shell.input_transformers_post.append(read)
+
+
 def _before_cell(shell, source):
+    if (read := read_typed(source)) != source:
+        _say_read([read])
     before_cell(shell.user_ns, source)
-    before_check(shell.user_ns, source)
+    _say_read(before_check(shell.user_ns, source))
 
 
 def _after_cell(shell, result):
+    cell, source = getattr(result.info, "cell_id", None), result.info.raw_cell
     after_check(shell.user_ns)
-    after_cell(
-        shell.user_ns, result.info.raw_cell, result.error_before_exec or result.error_in_exec
+    read = after_cell(
+        shell.user_ns,
+        read_typed(source),
+        result.error_before_exec or result.error_in_exec,
+        result.result,
+        _stubs.get(cell, ""),
     )
+    _say_read([read] if read else [])
+    # the id is None in a program that does not tell it
+    for name in _before if cell else ():
+        if shell.user_ns.get(name) is ...:
+            _stubs[cell] = name
+            _answers[name] = None
+
+
+def _say_read(codes):
+    for code in codes:
+        print(f"Read as: {code}")
 
 
 def _is_word(name):
@@ -197,19 +344,16 @@ def _stored(node):
             yield from _stored(child)
 
 
-def _reported(source):
-    try:
-        return reported_names(source) if "checks.report(" in source else []
-    except SyntaxError:  # a changed check cell
-        return []
-
-
 def _show_error(shell, kind, error, trace, tb_offset=None):
-    hint = ABOVE if isinstance(error, NameError) and _is_check(trace) else hint_for(str(error))
+    hint = ABOVE if isinstance(error, NameError) and _is_check(trace) else _hint(shell, error)
     if hint is None:
         shell.showtraceback((kind, error, trace), tb_offset=tb_offset)
     else:
         shell._showtraceback(kind, error, [f"{kind.__name__}: {error}", hint])
+
+
+def _hint(shell, error):
+    return hint_for(str(error), shell.history_manager.input_hist_raw[-1], shell.user_ns)
 
 
 def _is_check(trace):

@@ -7,6 +7,7 @@ are all fine, and symbols match by name, whatever their assumptions. What cannot
 
 import numpy as np
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from workbook.checks.contract.answer_forms import (
     counted,
@@ -114,21 +115,28 @@ def with_symbols(answer, symbols):
         If it contains other symbols or functions, or what is too large to be computed with.
     """
     by_name = {symbol.name: symbol for symbol in symbols}
-    functions = {str(f.func) for f in answer.atoms(sp.core.function.AppliedUndef)}
+    limited = answer.atoms(  # in one traversal of what may be a large expression
+        AppliedUndef, sp.Integral, sp.Sum, sp.Derivative, sp.Max, sp.Min, sp.Piecewise
+    )
+
+    def parts(*kinds):
+        return (part for part in limited if isinstance(part, kinds))
+
+    functions = {str(f.func) for f in parts(AppliedUndef)}
     foreign = sorted({s.name for s in answer.free_symbols if s.name not in by_name} | functions)
     if foreign:
         raise Invalid(
             f"the answer contains {', '.join(foreign)}; expected only "
             + (", ".join(sorted(by_name)) if by_name else "numbers")
         )
-    if any(len(limits) < 3 for integral in answer.atoms(sp.Integral) for limits in integral.limits):
+    if any(len(limits) < 3 for integral in parts(sp.Integral) for limits in integral.limits):
         raise Invalid(
             "the answer contains an integral without limits, which has no value at a point; work "
             "it out"
         )
     if any(
         last - first > MOST_ADDED
-        for part in answer.atoms(sp.Sum)
+        for part in parts(sp.Sum)
         for _, first, last in part.limits
         if first.is_Integer and last.is_Integer
     ):
@@ -137,18 +145,18 @@ def with_symbols(answer, symbols):
         )
     if any(
         sum(order for _, order in part.variable_count if order.is_Integer) > MOST_DERIVED
-        for part in answer.atoms(sp.Derivative)
+        for part in parts(sp.Derivative)
     ):
         raise Invalid(
             "the answer contains a derivative that is still to be worked out, of an order beyond "
             f"{MOST_DERIVED}; work it out"
         )
-    if any(len(part.args) > MOST_COMPARED for part in answer.atoms(sp.Max, sp.Min)):
+    if any(len(part.args) > MOST_COMPARED for part in parts(sp.Max, sp.Min)):
         raise Invalid(
             f"the answer contains the greatest or the least of more than {MOST_COMPARED} terms; "
             "give a simpler form of it"
         )
-    if sum(len(part.args) for part in answer.atoms(sp.Piecewise)) > MOST_CASES:
+    if sum(len(part.args) for part in parts(sp.Piecewise)) > MOST_CASES:
         raise Invalid(
             f"the answer distinguishes more than {MOST_CASES} cases; give a simpler form of it"
         )
@@ -206,49 +214,6 @@ def as_expressions(answer, symbols=(), length=None):
     if length is not None and len(entries) != length:
         raise Invalid(f"expected {counted(length, 'component')}, got {len(entries)}")
     return [as_expression(entry, symbols) for entry in entries]
-
-
-def as_points(answer, dimension):
-    """Return a list of points, each a list of real numbers.
-
-    Parameters
-    ----------
-    answer : object
-        A list or set of points: lists, tuples, arrays, SymPy columns, a FiniteSet, or dicts like
-        those of `solve`.
-    dimension : int
-        The number of coordinates of a point.
-
-    Returns
-    -------
-    list of list of sympy.Expr
-    """
-    if isinstance(answer, sp.MatrixBase) and answer.cols == dimension != 1:
-        answer = [list(answer.row(i)) for i in range(answer.rows)]
-    elif isinstance(answer, sp.MatrixBase) and answer.shape == (dimension, 1):
-        answer = [list(answer)]
-    points = (
-        list(answer)
-        if isinstance(answer, (list, tuple, set, frozenset, sp.FiniteSet, sp.Tuple, np.ndarray))
-        else None
-    )
-    if answer is sp.S.EmptySet:
-        points = []
-    if points is None:
-        raise Invalid(
-            f"expected a list of points with {counted(dimension, 'coordinate')} each, got "
-            f"{kind_of(answer)}"
-        )
-    if (
-        points
-        and dimension > 1
-        and all(vector_entries(point) is None for point in points)
-        and len(points) == dimension
-    ):
-        points = [points]  # a single point, written without the outer list
-    return [
-        [as_number(value) for value in as_expressions(point, (), dimension)] for point in points
-    ]
 
 
 def as_matrix(answer, symbols=(), shape=None, *other_shapes):

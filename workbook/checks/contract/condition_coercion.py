@@ -55,8 +55,8 @@ def as_condition(answer, symbols):
     """
     if isinstance(answer, (bool, np.bool_)):
         remark(
-            f"What was handed over is a bare {bool(answer)}: in Python `x != 77` is True and `x == "
-            "77` is False at once; write `sp.Ne(x, 77)` and `sp.Eq(x, 77)`"
+            f"Your condition is just {bool(answer)}, without symbols. Python replaces `x != y` by True "
+            "and `x == y` by False; write `sp.Ne(x, y)` or `sp.Eq(x, y)`"
         )
         return sp.true if answer else sp.false
     if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
@@ -66,6 +66,10 @@ def as_condition(answer, symbols):
     if (isinstance(answer, (list, tuple, set, frozenset, sp.Tuple)) and answer) or (
         isinstance(answer, sp.FiniteSet) and all(map(is_logical, answer))
     ):
+        if len(answer) > 1:
+            remark(
+                "A list of conditions means that all of them hold; for one of them write `sp.Or(...)`"
+            )
         answer = sp.And(*[as_condition(part, symbols) for part in answer])
     if isinstance(answer, sp.Set):
         answer = _membership(answer, symbols)

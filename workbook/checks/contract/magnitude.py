@@ -53,7 +53,7 @@ def grows_too_fast(node, bits=SYMBOL_BITS):
             ups, downs, _ = zip(*(size(limit, sizes) for limit in limits))
             sizes[variable] = max(SYMBOL_BITS, *ups), max(SYMBOL_BITS, *downs), True
     return any(
-        part.free_symbols and not _inner(part, sizes) <= 1 for part in sp.preorder_traversal(node)
+        not _inner(part, sizes) <= 1 and part.free_symbols for part in sp.preorder_traversal(node)
     )
 
 

@@ -3,7 +3,7 @@
 In Jupyter each line has the mark and the colours of its own verdict. No error follows where a person
 runs the cells, so that "Run All" goes on to the next ones. Where a program does (nbgrader, the
 build), an error of one line follows unless all are right, by which it knows.
-`workbook.mistakes.reporting.report` calls `deliver`.
+`contract.report` calls `deliver`.
 """
 
 import html

@@ -1,6 +1,7 @@
 """Descriptions of the data of checks by the names of their arguments, one meaning in each theme.
 
-`judged` adds them to the docstring of a check, so `help` and the page of checks show them.
+`judged` adds them to the docstring of a check, so `help` and the page of checks show them. Data that
+are of another kind than the records named there are refused (`contract.data_kinds`).
 """
 
 COMMON = {
@@ -13,6 +14,7 @@ COMMON = {
     "parameter": "symbol",
 }
 SHAPES = {
+    "algebra": {},
     "stability": COMMON
     | {
         "angle": "symbol",
@@ -26,7 +28,8 @@ SHAPES = {
         "function": "expression of the state",
         "given": "condition, or list of them",
         "integer": "symbol",
-        "margin": "number",
+        "degree": "number",
+        "kind": '"asymptotically stable", "unstable", "focus", "node", "saddle" or None',
         "part": "list of those symbols of the state that are meant",
         "polar": "list of two symbols",
         "program": "dict from symbols of the state to functions of time",
@@ -55,7 +58,7 @@ SHAPES = {
         "noises": "list of columns of n expressions, for a single coordinate of expressions",
         "of": "2 x n matrix, a row for each quantity",
         "outputs": "list of m symbols",
-        "process": "Process, Coloured or FilterErrors",
+        "process": "Process",
         "start": "list of n symbols",
         "quantities": "list of expressions of the vector",
         "second": "expression of the vector, or list of them",
@@ -76,7 +79,7 @@ SHAPES = {
         "part": '"state", "error" or None',
         "quantities": "dict from names to rows, or to expressions of the state",
         "start": "symbols of x(0)",
-        "system": "record: Linear, WithError, Varying, Process, Mechanical or Measurements",
+        "system": "Linear",
         "time": "symbol",
     },
     "feedback": COMMON
@@ -91,7 +94,8 @@ SHAPES = {
         "estimates": "list of n symbols",
         "gain": "matrix of symbols, or one",
         "given": "condition, or list of them",
-        "margin": "number",
+        "loop": "rational function of one more symbol, Linear or Quadratic",
+        "degree": "number",
         "mu": "symbol",
         "outputs": "list of m symbols",
         "polynomial": "expression of the symbol",
@@ -99,7 +103,7 @@ SHAPES = {
         "process": "Process",
         "start": "list of n symbols",
         "symbol": "symbol",
-        "system": "Linear, WithError or Scalar",
+        "system": "Linear",
         "time": "symbol",
         "zeros": "list of n expressions of the state",
     },
@@ -118,7 +122,7 @@ SHAPES = {
         "functional": "Functional",
         "law": "expression of the time and of constants",
         "parameters": "list of symbols, or dict from them to intervals or finite sets",
-        "problem": "pontryagin.Problem",
+        "problem": "pontryagin.Problem with one control",
         "quantity": "expression of the state",
         "start": "condition on the state, or symbol of the parameter that a control begins with",
         "system": "Controlled",
@@ -185,12 +189,16 @@ SHAPES = {
 }
 
 
-def with_shapes(docstring, module, names):
-    """Return the docstring of a check of some module, extended by the section of its parameters."""
+def descriptions_of(module, kinds):
+    """Return the descriptions of data for the checks of a module, with those that differ."""
+    return SHAPES.get(module.split(".")[-2:][0], COMMON) | kinds
+
+
+def with_shapes(docstring, descriptions, names):
+    """Return the docstring of a check, extended by the section of its parameters."""
     if not docstring:
         return docstring
-    shapes = SHAPES.get(module.split(".")[-2:][0], COMMON)
     answer, *data = names
-    lines = [f"{name} : {shapes[name]}" if name in shapes else name for name in data]
+    lines = [f"{name} : {descriptions[name]}" if name in descriptions else name for name in data]
     section = ["Parameters", "----------", f"{answer} : the student's answer", *lines]
     return "\n".join([docstring.rstrip(), "", *(f"    {line}" for line in section), "    "])

@@ -12,6 +12,8 @@
   make each term uncertain by the share `DECIMALS`, which is half a unit at worst.
 - Zero: a decimal that should be 0 has to be 0 itself. Beside larger numbers, in a vector or a
   matrix, it has the digits of a thousandth of the largest.
+- Complex: the real and the imaginary part are two decimals, each with digits of its own; one that
+  is 0, or small, has the digits of a thousandth of the modulus.
 - Computed: where the reference itself is known to a precision only, as by a search, that replaces
   `EXACT`.
 
@@ -192,10 +194,10 @@ def agree(values, true, written, size=0.0, computed=EXACT, uncertain=None):
     -------
     bool or numpy.ndarray of bool
     """
-    difference = np.asarray(values) - true
+    difference, true = np.asarray(values) - true, np.asarray(true)
     # a number alone has the digits of its own
-    negligible_size = NEGLIGIBLE * size if difference.shape else 0
-    allowed = computed * np.maximum(np.abs(true), size)
+    negligible_size = NEGLIGIBLE * np.maximum(np.abs(true), size if difference.shape else 0)
+    allowed = np.array(2 * [computed * np.maximum(np.abs(true), size)])
     if in_decimals(written):
         has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(
             _entries(written)
@@ -206,10 +208,12 @@ def agree(values, true, written, size=0.0, computed=EXACT, uncertain=None):
         allowed = np.maximum(
             allowed,
             np.where(
-                has_symbols, uncertainty, half_unit(np.maximum(np.abs(true), negligible_size))
+                has_symbols,
+                uncertainty,
+                [half_unit(np.maximum(np.abs(p), negligible_size)) for p in (true.real, true.imag)],
             ),
         )
-    correct = (np.abs(difference.real) <= allowed) & (np.abs(difference.imag) <= allowed)
+    correct = (np.abs([difference.real, difference.imag]) <= allowed).all(axis=0)
     return correct if correct.shape else bool(correct)
 
 

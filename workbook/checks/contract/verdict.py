@@ -2,7 +2,8 @@
 
 A check is a function `check(claim, *data)` under the decorator `judged(Expression("parameters"))`.
 Its first argument is the answer, read as a claim of the declared type (`contract.claims`); it
-yields comparisons (`tools.comparisons`) and returns the sentence that describes what holds. Under
+yields comparisons (`tools.comparisons`) and returns the sentence that describes what holds. One that
+compares with a value at samples is declared by its reference (`tools.declared`). Under
 `judged` alone it reads the answer itself. It may raise `Wrong` (a property fails) or `Invalid` (not
 of the type asked). Any other exception is our failure, and the verdict is then `unchecked`, never
 wrong, never right.
@@ -18,10 +19,11 @@ import warnings
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 
+from workbook.checks.contract.data_kinds import unsuitable
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.few_numbers import with_few_numbers
-from workbook.checks.contract.shapes import with_shapes
+from workbook.checks.contract.shapes import descriptions_of, with_shapes
 from workbook.checks.contract.traversal import EncodingError
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = (
@@ -52,6 +54,14 @@ class Wrong(Exception):
 
 class Invalid(Exception):
     """Raised when an answer is not of the type asked; the message says kindly what was expected."""
+
+
+class UnsuitableData(ValueError):
+    """Raised when a check cannot judge its data: by the check itself, whatever the answer is.
+
+    The message is one sentence to the author of the check cell. Of nothing else a check raises an
+    exception.
+    """
 
 
 @dataclass(frozen=True)
@@ -89,7 +99,7 @@ class Unusable:
     reason: str
 
 
-def judged(check):
+def judged(check=None, **kinds):
     """Turn a check into a function that always returns a `Verdict`.
 
     Parameters
@@ -97,11 +107,15 @@ def judged(check):
     check : callable or Claim
         The check, `check(answer, *data)`; or, used as `judged(claim)`, the type as which the answer
         is read before the check is called.
+    **kinds : str
+        Descriptions of data by name, where the check takes fewer kinds of records than others of its
+        theme (`contract.shapes`).
 
     Returns
     -------
     callable
-        A function of the same arguments, whatever the answer is; or a decorator for such a check.
+        A function of the same arguments, whatever the answer is; or a decorator for such a check. It
+        raises `UnsuitableData` if data are of no kind that is described.
 
     Notes
     -----
@@ -109,21 +123,27 @@ def judged(check):
     judged before it goes on. It returns the message of a right answer.
     """
     return (
-        _judged(check, None)
+        _judged(check, None, {})
         if inspect.isfunction(check)
-        else lambda function: _judged(function, check)
+        else lambda function: _judged(function, check, kinds)
     )
 
 
-def _judged(check, claim):
+def _judged(check, claim, kinds):
     names = inspect.signature(check)
+    descriptions = descriptions_of(check.__module__, kinds)
 
     @functools.wraps(check)
     def judge(answer, *data, **options):
         if isinstance(answer, Unusable):
             return Verdict(INVALID, answer.reason)
         _remarks.set(())
-        decoded = None
+        if "margin" in options and "degree" in names.parameters:
+            raise TypeError(f"{check.__name__}: margin is called degree now")
+        decoded, bound = None, names.bind(None, *data, **options)
+        for name, datum in bound.arguments.items():
+            if reason := unsuitable(datum, descriptions.get(name, "")):
+                raise UnsuitableData(f"{name}: {reason}")
         try:
             # A warning on stderr would cost the cell its points in nbgrader.
             with warnings.catch_warnings():
@@ -132,7 +152,6 @@ def _judged(check, claim):
                 if _holds_ellipsis(received):
                     return Verdict(MISSING, "not answered yet")
                 if claim is not None:
-                    bound = names.bind(None, *data, **options)
                     bound.apply_defaults()
                     received = claim.read(received, bound.arguments)
                 message = _message(check(received, *data, **options))
@@ -144,6 +163,8 @@ def _judged(check, claim):
             return Verdict(WRONG, message, answer=decoded)
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
+        except UnsuitableData:
+            raise
         except ModuleNotFoundError as missing:  # in a page of the site
             return Verdict(
                 UNCHECKED,
@@ -156,7 +177,7 @@ def _judged(check, claim):
                 f"({type(error).__name__}: {str(error)[:200]})",
             )
 
-    judge.__doc__ = with_shapes(check.__doc__, check.__module__, names.parameters)
+    judge.__doc__ = with_shapes(check.__doc__, descriptions, names.parameters)
     return judge
 
 

@@ -19,11 +19,11 @@ from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes, regulators
 from workbook.checks.tools.comparisons import SameEntries, SameMembers
 from workbook.checks.tools.conditions import compare
+from workbook.checks.tools.declared import Truth, declared
 from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
-    entry_text,
     number_text,
     part_text,
     values_text,
@@ -36,129 +36,141 @@ ROUNDED = 1e-9
 BEFORE, AFTER = "before", "after"
 
 
-@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
-def estimate(claim, process, measured, at, parameters=(), given=sp.true):
+def _at_time_or_parameters(data):
+    """Return samples of the parameters; twice as many if the time has symbols."""
+    count = COUNT * (1 + bool(sp.sympify(data["at"]).free_symbols))
+    return allowed_values(data["parameters"], data["given"], count), data["given"]
+
+
+@declared(
+    MatrixOrVector("parameters", shape=processes.shape_of("mean")),
+    right="it is the mean of the state under the condition of what was measured",
+    wrong=lambda entry: (
+        f"{part_text('estimate', entry.claimed, entry.row)}{entry.where}; this is not the "
+        "conditional mean of the state, given the measurements"
+    ),
+    samples=_at_time_or_parameters,
+    process="Process or Coloured",
+)
+def estimate(values, process, measured, at):
     """Check the best estimate of the state at a time from the measurements.
 
     Of a single coordinate it is an expression.
     """
-    for model, values, measurements, time in _numeric_cases(
-        process, measured, at, claim, parameters, given
-    ):
-        true, _ = processes.conditional_moments(model, measurements, time)
-        yield SameEntries(
-            claim,
-            true,
-            lambda claimed, i, j: (
-                f"{part_text('estimate', claimed, i)}{where_text(values)}; this is not the "
-                "conditional mean of the state, given the measurements"
-            ),
-            values,
-            abs(true).max() + _size(measurements),
-        )
-    return "it is the mean of the state under the condition of what was measured"
+    _, measurements, mean, _ = _conditional_moments(values, process, measured, at)
+    return Truth(mean, abs(mean).max() + _size(measurements))
 
 
-@judged(Matrix("parameters", shape=processes.shape_of("A")))
-def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
+@declared(
+    Matrix("parameters", shape=processes.shape_of("A")),
+    right="it is the covariance of the state under the condition of what was measured",
+    wrong=lambda entry: (
+        "your covariance is not the conditional covariance of the state, given the "
+        f"measurements{entry.where}: {entry.text}"
+    ),
+    samples=_at_time_or_parameters,
+    process="Process or Coloured",
+)
+def estimate_covariance(values, process, measured, at):
     """Check the covariance matrix of the errors of the best estimate at a time.
 
     Of a single coordinate it is the variance.
     """
-    for model, values, measurements, time in _numeric_cases(
-        process, measured, at, claim, parameters, given
-    ):
-        true = processes.conditional_moments(model, measurements, time)[1]
-        yield SameEntries(
-            claim,
-            true,
-            _covariance_message(
-                "is not the conditional covariance of the state, given the measurements", values
-            ),
-            values,
-            abs(processes.moments(model, time)[1]).max(),
+    model, _, _, covariance = _conditional_moments(values, process, measured, at)
+    return Truth(covariance, abs(processes.moments(model, sp.sympify(at).subs(values))[1]).max())
+
+
+@declared(
+    MatrixOrVector("parameters", shape=processes.shape_of("mean")),
+    right="its square is the variance of the state under the condition of what was measured",
+    wrong=lambda entry: (
+        f"{part_text('answer', entry.claimed, entry.row)}{entry.where}; "
+        + (
+            "a standard deviation is not negative"
+            if entry.number.real < 0
+            else "its square is not the variance of the error of the best estimate"
         )
-    return "it is the covariance of the state under the condition of what was measured"
-
-
-@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
-def estimate_standard_deviations(claim, process, measured, at, parameters=(), given=sp.true):
+    ),
+    samples=_at_time_or_parameters,
+    process="Process or Coloured",
+)
+def estimate_standard_deviations(values, process, measured, at):
     """Check the standard deviations of the errors of the best estimate at a time.
 
     They are a column; of a single coordinate an expression.
     """
-    for model, values, measurements, time in _numeric_cases(
-        process, measured, at, claim, parameters, given
-    ):
-        true = np.sqrt(np.diag(processes.conditional_moments(model, measurements, time)[1]))[
-            :, None
-        ]
-        yield SameEntries(
-            claim,
-            true,
-            lambda claimed, i, j: (
-                f"{part_text('answer', claimed, i)}{where_text(values)}; "
-                + (
-                    "a standard deviation is not negative"
-                    if claimed[i, j].real < 0
-                    else "its square is not the variance of the error of the best estimate"
-                )
-            ),
-            values,
+    *_, covariance = _conditional_moments(values, process, measured, at)
+    return Truth(np.sqrt(np.diag(covariance))[:, None])
+
+
+def _steady_failure(entry):
+    """Return the message on the covariance of a steady filter: the property that fails."""
+    (model, moment), P = entry.context, entry.claimed.real
+    if entry.claimed.imag.any() or not abs(P - P.T).max() <= ROUNDED * abs(P).max():
+        failure = "is not real and symmetric"
+    elif np.linalg.eigvalsh(P).min() < -ROUNDED * abs(P).max():
+        failure = "gives some combination of the states a negative variance"
+    else:
+        try:
+            changes = processes.changes_covariance(model, P, moment == AFTER)
+        except np.linalg.LinAlgError:
+            changes = True  # no gain: the equation has no meaning there
+        failure = (
+            "does not satisfy the Riccati equation"
+            if changes
+            else "satisfies the Riccati equation, but the errors do not decay with its gain"
         )
-    return "its square is the variance of the state under the condition of what was measured"
+    return f"your covariance {failure}{entry.where}: {entry.text}"
 
 
-@judged(Matrix("parameters", shape=processes.shape_of("A")))
-def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
+@declared(
+    Matrix("parameters", shape=processes.shape_of("A")),
+    right="the Riccati equation keeps this covariance, and with it the errors of the filter decay",
+    wrong=_steady_failure,
+    process="Process or Coloured",
+)
+def steady_covariance(values, process, moment=BEFORE):
     """Check the covariance matrix of the errors of the steady filter.
 
     In discrete time it is that at the `moment` of a measurement, "before" or "after".
     """
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        model = processes.at_values(process, values, start=False)
-        true = processes.steady_covariances(model)[(BEFORE, AFTER).index(moment)]
-        yield SameEntries(
-            claim,
-            true,
-            _steady_message(model, moment, values),
-            values,
-            abs(true).max(),
-        )
-    return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
+    model = processes.at_values(process, values, start=False)
+    true = processes.steady_covariances(model)[(BEFORE, AFTER).index(moment)]
+    return Truth(true, abs(true).max(), (model, moment))
 
 
-@judged(
-    MatrixOrVector("parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape)
+def _gain_effect(entry):
+    """Return the message on the gain of a steady filter: its effect on the errors."""
+    model, gain = entry.context, entry.claimed
+    roots = np.linalg.eigvals(model.A - (model.A @ gain if model.discrete else gain) @ model.H)
+    error_grows = (np.log(abs(roots)) if model.discrete else roots.real).max() > 0
+    effect = (
+        "an error grows"
+        if error_grows
+        else "the errors settle to a larger covariance than they need"
+    )
+    return (
+        f"with your gain {effect}{entry.where}: look at row {entry.row + 1}, where it is "
+        f"{number_text(entry.number)}"
+    )
+
+
+@declared(
+    MatrixOrVector(
+        "parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape
+    ),
+    right="no other gain makes the variances of the errors smaller",
+    wrong=_gain_effect,
+    process="Process or Coloured",
 )
-def steady_gain(claim, process, parameters=(), given=sp.true):
+def steady_gain(values, process):
     """Check the gain K of the steady filter, a column for each measurement.
 
     The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
     """
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        model = processes.at_values(process, values, start=False)
-        true = processes.filter_gain(model, processes.steady_covariances(model)[0])
-
-        def message(claimed, i, j):
-            loop = model.A - (model.A @ claimed if model.discrete else claimed) @ model.H
-            error_grows = (
-                np.log(abs(np.linalg.eigvals(loop)))
-                if model.discrete
-                else np.linalg.eigvals(loop).real
-            ).max() > 0
-            effect = (
-                "an error grows"
-                if error_grows
-                else "the errors settle to a larger covariance than they need"
-            )
-            return (
-                f"with your gain {effect}{where_text(values)}: look at row {i + 1}, where it is "
-                f"{number_text(claimed[i, j])}"
-            )
-
-        yield SameEntries(claim, true, message, values, abs(true).max())
-    return "no other gain makes the variances of the errors smaller"
+    model = processes.at_values(process, values, start=False)
+    true = processes.filter_gain(model, processes.steady_covariances(model)[0])
+    return Truth(true, abs(true).max(), model)
 
 
 @judged
@@ -270,10 +282,12 @@ def riccati_equation(claim, process, covariance, parameters=()):
             values,
             sum(map(abs, terms)),
         )
-    return "the motion, the noise and the measurement change the covariance like this"
+    return "the motion, the noise and the measurement change the covariance at this rate"
 
 
-@judged(Values("parameters", expected="a list or a set of eigenvalues"))
+@judged(
+    Values("parameters", expected="a list or a set of eigenvalues"), process="Process or Coloured"
+)
 def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     """Check the different eigenvalues of the error matrix of the steady filter.
 
@@ -318,27 +332,16 @@ def _definite(covariance, values, sizes):
     return values | dict(zip(covariance, definite.multiply_elementwise(sizes)))
 
 
-def _numeric_cases(process, measured, at, claim, parameters, given):
-    """Yield (model, values, measurements, time); twice as many if the time has symbols."""
-    count = COUNT * (1 + bool(sp.sympify(at).free_symbols))
-    for values in in_every_case(allowed_values(parameters, given, count), claim, given):
-        measurements = [
-            (
-                time,
-                [
-                    float(sp.sympify(z).subs(values))
-                    for z in np.atleast_1d(np.array(value, dtype=object))
-                ],
-            )
-            for instant, value in measured
-            for time in _times(sp.sympify(instant).subs(values))
-        ]
-        yield (
-            processes.at_values(process, values),
-            values,
-            measurements,
-            sp.sympify(at).subs(values),
-        )
+def _conditional_moments(values, process, measured, at):
+    """Return the model, the measurements, and mean and covariance given them, at numbers."""
+    measurements = [
+        (time, [float(sp.sympify(z).subs(values)) for z in np.atleast_1d(np.array(value, object))])
+        for instant, value in measured
+        for time in _times(sp.sympify(instant).subs(values))
+    ]
+    model = processes.at_values(process, values)
+    moments = processes.conditional_moments(model, measurements, sp.sympify(at).subs(values))
+    return model, measurements, *moments
 
 
 def _times(instant):
@@ -347,33 +350,3 @@ def _times(instant):
 
 def _size(measurements):
     return max((abs(z) for _, row in measurements for z in row), default=0)
-
-
-def _steady_message(model, moment, values):
-    """Return a message builder on the covariance of a steady filter: the property that fails."""
-
-    def message(claimed, i, j):
-        P = claimed.real
-        if claimed.imag.any() or not abs(P - P.T).max() <= ROUNDED * abs(P).max():
-            failure = "is not real and symmetric, as a covariance is"
-        elif np.linalg.eigvalsh(P).min() < -ROUNDED * abs(P).max():
-            failure = "gives some combination of the states a negative variance"
-        else:
-            try:
-                changes = processes.changes_covariance(model, P, moment == AFTER)
-            except np.linalg.LinAlgError:
-                changes = True  # no gain: the equation has no meaning there
-            failure = (
-                "does not satisfy the Riccati equation"
-                if changes
-                else "satisfies the Riccati equation, but the errors do not decay with its gain"
-            )
-        return _covariance_message(failure, values)(claimed, i, j)
-
-    return message
-
-
-def _covariance_message(failure, values):
-    return lambda claimed, i, j: (
-        f"your covariance {failure}{where_text(values)}: {entry_text(claimed, i, j)}"
-    )

@@ -17,10 +17,10 @@ from workbook.checks.references import processes
 from workbook.checks.references.spectra import decays
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.declared import Truth, declared
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
-    entry_text,
     number_text,
     part_text,
     tried_text,
@@ -71,50 +71,86 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
     return "the steps, one after the other, lead to this state"
 
 
-@judged(MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")))
-def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+def _wrong_moment(moment, equation):
+    """Return the phrase on a moment that does not satisfy its equation or its initial condition."""
+
+    def message(entry):
+        time, instant = list(entry.values.items())[-1]
+        if instant == 0:
+            return (
+                f"your {moment} does not satisfy the initial condition: {entry.text} at {time} = 0"
+            )
+        return f"your {moment} does not satisfy the {equation} of the process{entry.where}: {entry.text}"
+
+    return message
+
+
+def _at_times(data):
+    """Return samples at several times, the time being the last of the values."""
+    time, given, times = data["time"], data["given"], data["times"]
+    time_range = (
+        sp.Or(*(sp.Eq(time, instant) for instant in times))
+        if times
+        else sp.And(time >= 0, time <= LATEST)
+    )
+    times = times or (STEPS if processes.as_process(data["process"]).discrete else TIMES)
+    samples = allowed_values(data["parameters"], given, max(len(times), len(TIMES)))
+    # However few the times are, the parameters take as many values as elsewhere.
+    count = max(len(times), len(samples))
+    samples = [
+        values | {time: sp.sympify(instant)}
+        for instant, values, _ in zip(
+            itertools.cycle(times), itertools.cycle(samples), range(count)
+        )
+    ]
+    return samples, sp.And(conjunction(given), time_range)
+
+
+@declared(
+    MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")),
+    right=lambda data: f"it is the mean{tried_text(data['parameters'], 'times')}",
+    wrong=_wrong_moment("mean", "equation"),
+    samples=_at_times,
+)
+def mean_at_time(values, process, time, times=None):
     """Check the mean of the process at the time t.
 
     It is a column; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for model, values in _numeric_cases(process, time, claim, parameters, given, times):
-        F, _ = processes.transition(model, values[time])
-        yield SameEntries(
-            claim, F @ model.mean, _moment_message("mean", values), values, abs(F) @ abs(model.mean)
-        )
-    return f"it is the mean{tried_text(parameters, 'times')}"
+    model = processes.at_values(process, values)
+    F, _ = processes.transition(model, values[time])
+    return Truth(F @ model.mean, abs(F) @ abs(model.mean))
 
 
-@judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
-def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+@declared(
+    Matrix("time", "parameters", shape=processes.shape_of("A")),
+    right=lambda data: f"it is the covariance{tried_text(data['parameters'], 'times')}",
+    wrong=_wrong_moment("covariance", "covariance equation"),
+    samples=_at_times,
+    process="Process or Coloured",
+)
+def covariance_at_time(values, process, time, times=None):
     """Check the covariance matrix of the process at the time t.
 
     Of a single coordinate it is an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for model, values in _numeric_cases(process, time, claim, parameters, given, times):
-        F, N = processes.transition(model, values[time])
-        # At the initial time too, terms may cancel that are as large as this covariance soon is.
-        early_covariance = (
-            N
-            if values[time]
-            else processes.transition(model, STEPS[1] if model.discrete else TIMES[1])[1]
-        )
-        size = abs(F) @ abs(model.covariance) @ abs(F).T + abs(early_covariance)
-        yield SameEntries(
-            claim,
-            F @ model.covariance @ F.T + N,
-            _moment_message("covariance", values),
-            values,
-            size.max(),
-        )
-    return f"it is the covariance{tried_text(parameters, 'times')}"
+    model = processes.at_values(process, values)
+    F, N = processes.transition(model, values[time])
+    # At the initial time too, terms may cancel that are as large as this covariance soon is.
+    early_covariance = (
+        N
+        if values[time]
+        else processes.transition(model, STEPS[1] if model.discrete else TIMES[1])[1]
+    )
+    size = abs(F) @ abs(model.covariance) @ abs(F).T + abs(early_covariance)
+    return Truth(F @ model.covariance @ F.T + N, size.max())
 
 
-@judged(Expression("time", "parameters"))
+@judged(Expression("time", "parameters"), process="Process or Coloured")
 def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, times=None):
     """Check the correlation coefficient at the time t of two quantities, with the rows `of`.
 
@@ -122,9 +158,17 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
     """
     rows = processes.to_array(of, {})
     correlations = []
-    for model, values in _numeric_cases(
-        process, time, claim, parameters, given, times or TIMES[1:]
-    ):
+    samples, domain = _at_times(
+        {
+            "process": process,
+            "time": time,
+            "parameters": parameters,
+            "given": given,
+            "times": times or TIMES[1:],
+        }
+    )
+    for values in in_every_case(samples, claim, domain):
+        model = processes.at_values(process, values)
         covariance = rows @ processes.moments(model, values[time])[1] @ rows.T
         correlations.append(
             (covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values)
@@ -141,7 +185,7 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
     return "it is the covariance divided by the product of the standard deviations"
 
 
-@judged(Expressions("parameters", length=3))
+@judged(Expressions("parameters", length=3), process="Coloured")
 def shaping_filter(claims, process, parameters=(), given=sp.true):
     """Check the shaping filter [a, Q, D] of the noise of a `Coloured` process.
 
@@ -166,30 +210,31 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
     return "what it makes has the given correlation at all times"
 
 
-@judged(Matrix("parameters", shape=processes.shape_of("A")))
-def stationary_covariance(claim, process, parameters=(), given=sp.true):
+def _at_convergence(data):
+    """Return samples of the parameters at which the process converges."""
+    process = processes.as_process(data["process"])
+    convergence = sp.And(conjunction(data["given"]), decays(process.A, process.discrete))
+    return allowed_values(data["parameters"], convergence, len(TIMES)), convergence
+
+
+@declared(
+    Matrix("parameters", shape=processes.shape_of("A")),
+    right="the process keeps this covariance, and comes to it from any other",
+    wrong=lambda entry: (
+        f"a process that had your covariance would not keep it{entry.where}: by the "
+        f"covariance equation it changes; {entry.text}"
+    ),
+    samples=_at_convergence,
+    process="Process, Coloured or FilterErrors",
+)
+def stationary_covariance(values, process):
     """Check the covariance matrix that the process converges to from every initial covariance.
 
     It is compared at the parameters for which the process converges.
     """
-    process = processes.as_process(process)
-    convergence = sp.And(conjunction(given), decays(process.A, process.discrete))
-    for values in in_every_case(
-        allowed_values(parameters, convergence, len(TIMES)), claim, convergence
-    ):
-        model = processes.at_values(process, values, start=False)
-        true = processes.stationary_covariance(model)
-        yield SameEntries(
-            claim,
-            true,
-            lambda claimed, i, j: (
-                f"a process that had your covariance would not keep it{where_text(values)}: by the "
-                f"covariance equation it changes; {entry_text(claimed, i, j)}"
-            ),
-            values,
-            abs(true).max(),
-        )
-    return "the process keeps this covariance, and comes to it from any other"
+    model = processes.at_values(processes.as_process(process), values, start=False)
+    true = processes.stationary_covariance(model)
+    return Truth(true, abs(true).max())
 
 
 @judged(Values("parameters", expected="a list or a set of exponents"))
@@ -228,7 +273,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
     return "each part of the covariance changes with one of them"
 
 
-@judged
+@judged(process="Process, Coloured or FilterErrors")
 def stationary_covariance_exists(answer, process, parameters, given=sp.true):
     """Check the parameters for which the covariance converges whatever it is initially.
 
@@ -270,50 +315,10 @@ def covariance_increases(answer, process, parameters, given=sp.true):
     def message(values):
         rate_there = sp.Matrix(rate.subs(values))
         if rate_there.rows == 1:
-            return f"from the start on the variance changes at the rate {number_text(complex(rate_there[0]))}"
-        return f"there the variances change at the rates {', '.join(map(str, rate_there.diagonal()))} at the start"
+            return f"at the beginning the variance changes at the rate {number_text(complex(rate_there[0]))}"
+        return f"there the variances change at the rates {', '.join(map(str, rate_there.diagonal()))} at the beginning"
 
     agreement = compare(
         answer, parameters, exactly(increases, conjunction(given)), contradiction_message(message)
     )
     return f"it rises there and nowhere else: {agreement}"
-
-
-def _numeric_cases(process, time, claim, parameters, given, times):
-    """Yield (model, values) at several times, the time being one of the values."""
-    time_range = (
-        sp.Or(*(sp.Eq(time, instant) for instant in times))
-        if times
-        else sp.And(time >= 0, time <= LATEST)
-    )
-    times = times or (STEPS if processes.as_process(process).discrete else TIMES)
-    samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
-    # However few the times are, the parameters take as many values as elsewhere.
-    count = max(len(times), len(samples))
-    samples = [
-        values | {time: sp.sympify(instant)}
-        for instant, values, _ in zip(
-            itertools.cycle(times), itertools.cycle(samples), range(count)
-        )
-    ]
-    for values in in_every_case(samples, claim, sp.And(conjunction(given), time_range)):
-        yield processes.at_values(process, values), values
-
-
-#: The equation that each moment of a process satisfies.
-EQUATIONS = {"mean": "equation", "covariance": "covariance equation"}
-
-
-def _moment_message(moment, values):
-    def message(claimed, i, j):
-        if list(values.values())[-1] == 0:
-            return (
-                f"your {moment} does not satisfy the initial condition: "
-                f"{entry_text(claimed, i, j)} at {list(values)[-1]} = 0"
-            )
-        return (
-            f"your {moment} does not satisfy the {EQUATIONS[moment]} of the process"
-            f"{where_text(values)}: {entry_text(claimed, i, j)}"
-        )
-
-    return message

@@ -14,7 +14,7 @@ import numpy as np
 from workbook.checks.contract.claims import Claim, MatrixOrVector
 from workbook.checks.contract.coercion import as_matrix
 from workbook.checks.contract.tolerance import EXACT
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
 from workbook.checks.feedback.loops import Requirement
 from workbook.checks.references.fixed_modes import common_margin
 from workbook.checks.references.pairs import pair_of
@@ -64,7 +64,7 @@ def equation_gains(claim, equation):
     """Check a state-space form with gains, the list [A, B, C, H, K, L].
 
     The form is that of `state_space_form`, the feedback u = K e, e' = Ae + Bu + L(z - He). The
-    gains have to stabilise and, where a mode that no gain changes bounds the margin, to do so
+    gains have to stabilise and, where a mode that no gain changes bounds the degree of stability, to do so
     with the greatest one.
     """
     *form, K, L = claim
@@ -72,8 +72,8 @@ def equation_gains(claim, equation):
     yield from _comparisons(form, equation)
     greatest = common_margin(equation)
     if greatest is not None and greatest <= 0:
-        raise ValueError("no feedback stabilises this equation")
-    requirement = Requirement(margin=greatest or 0)
+        raise UnsuitableData("no feedback stabilises this equation")
+    requirement = Requirement(degree=greatest or 0)
     requirement.judge(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
     message = requirement.judge(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
     return f"{message}, and so do those of A + BK"
@@ -136,7 +136,7 @@ def _comparisons(form, equation):
         lambda point: (
             f"the motion of your form without control from y{point[0] + 1} = 1, the others zero, "
             "does not satisfy the "
-            f"equation: its left-hand side begins with {number_text(coefficients[0][point])}"
+            f"equation: at t = 0 its left-hand side is {number_text(coefficients[0][point])}"
         ),
         1,
     )

@@ -13,11 +13,11 @@ import sympy as sp
 from workbook.checks.contract.claims import Claim, Expressions
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Gain
+from workbook.checks.references.equilibria import equilibria_of
 from workbook.checks.references.fields import Field, cached_field
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
 from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import point_text, roots_text
 
@@ -58,7 +58,7 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     """
     flow = cached_field(tuple(field), (*state, *controls))
     uncontrolled = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]
-    family = stationary_points_of(uncontrolled if zeros is None else zeros, state, [], domain)
+    family = equilibria_of(uncontrolled if zeros is None else zeros, state, [], domain)
     (equilibria,) = family.points(np.zeros((0, 1)))
     unmatched = list(equilibria)
     for point, gain in claim:
@@ -89,7 +89,7 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
         raise Wrong(
             "there is an equilibrium for which your answer gives neither a gain nor an empty list"
         )
-    return "each gain draws the motions near its equilibrium to it, and where there is none no gain does"
+    return "with each gain the motions near its equilibrium converge to it, and where there is no gain none does this"
 
 
 def _judge_gain(flow, state, equilibrium, gain):

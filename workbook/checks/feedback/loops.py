@@ -3,7 +3,7 @@
 With an estimate both spectra are judged.
 
 What is required is data: a characteristic polynomial, whose coefficients may be symbols, or a
-margin mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
+degree of stability mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
 parameters that their assumptions allow. Any gain that meets it is right. An empty list says that
 there is none, which is judged by the modes that no gain changes.
 """
@@ -53,21 +53,21 @@ class Gains(Claim):
 
 @dataclass(frozen=True)
 class Requirement:
-    """A required characteristic `polynomial` in `symbol`, or else a `margin`.
+    """A required characteristic `polynomial` in `symbol`, or else a `degree` of stability.
 
     It is required where the parameters satisfy the conditions `given`.
     """
 
     parameters: tuple = ()
     given: object = sp.true
-    margin: object = 0
+    degree: object = 0
     polynomial: object = None
     symbol: object = None
 
     def impossible(self, pair):
         """Return whether no gain of the pair meets the requirement."""
         if self.polynomial is None:
-            return slower_than(self.margin, pair)
+            return slower_than(self.degree, pair)
         (parameter_values, *_) = self.samples()
         for (values, _), fixed in zip(pair.samples, fixed_eigenvalues(pair)):
             coefficients = self._coefficients(parameter_values | values)
@@ -91,7 +91,7 @@ class Requirement:
                 self._judge_polynomial(loop, gain, matrix_name, answer_name, values)
         if self.polynomial is not None:
             return f"the characteristic polynomial of {matrix_name} is the one required"
-        return self._judge_margin(loop, gain, matrix_name, answer_name)
+        return self._judge_degree(loop, gain, matrix_name, answer_name)
 
     def _admits(self, values):
         return conjunction(self.given).subs(values) is sp.true
@@ -134,11 +134,11 @@ class Requirement:
                 f"{number_text(claimed[k] if abs(claimed[k]) > EXACT * size**k else 0)}"
             )
 
-    def _judge_margin(self, loop, gain, matrix_name, answer_name):
+    def _judge_degree(self, loop, gain, matrix_name, answer_name):
         matrix, slack = loop(in_fractions(gain)), 0
-        if self.margin and in_decimals(gain):
+        if self.degree and in_decimals(gain):
             slack = self._slack(loop, gain)
-        spectrum = Spectrum(matrix, self.parameters, self.margin - slack)
+        spectrum = Spectrum(matrix, self.parameters, self.degree - slack)
 
         def undefined(values):
             return any(entry.subs(values).has(sp.zoo, sp.nan, sp.oo) for entry in gain)
@@ -147,7 +147,7 @@ class Requirement:
             if undefined(values):
                 return f"an entry of {answer_name} has no value{where_text(values)}"
             stability = (
-                "stable with the required margin" if self.margin else "asymptotically stable"
+                "stable with the required degree" if self.degree else "asymptotically stable"
             )
             return (
                 f"with {answer_name} {matrix_name} is not {stability}{where_text(values)}: "
@@ -180,7 +180,7 @@ class Requirement:
                 f"{compare(sp.true, self.parameters, reference, message)}"
             )
         if not _largest_real_part(matrix) <= (
-            slack - self.margin + EXACT if self.margin else -EXACT
+            slack - self.degree + EXACT if self.degree else -EXACT
         ):
             raise Wrong(message({}, False))
         return f"all eigenvalues of {matrix_name} lie where they have to"
@@ -271,25 +271,25 @@ def loop_of(system):
     return lambda K: A + B * K * H, "the matrix A + BKH of the loop"
 
 
-@judged(Gain("parameters", shape=_observer_shape))
+@judged(Gain("parameters", shape=_observer_shape), system="Linear with outputs")
 def observer_gain(
-    gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
+    gain, system, parameters=(), given=sp.true, degree=0, polynomial=None, symbol=None
 ):
     """Check a gain L of an observer, or an empty list if there is none.
 
     The spectrum of A - LH has to be as required. Of a system `WithError` the gain belongs to
     the state with w below it.
 
-    Required is the `margin` for all values of the parameters that are as `given`, or the
+    Required is the `degree` of stability for all values of the parameters as `given`, or the
     `polynomial` in `symbol`, whose coefficients are parameters.
     """
-    requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
+    requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     return _judge(gain, *_error_loop(system, parameters, requirement))
 
 
-@judged(Gain("parameters", shape=_feedback_shape))
+@judged(Gain("parameters", shape=_feedback_shape), system="Linear with controls")
 def feedback_gain(
-    gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
+    gain, system, parameters=(), given=sp.true, degree=0, polynomial=None, symbol=None
 ):
     """Check a gain K of the feedback u = Kx, or an empty list if there is none.
 
@@ -298,7 +298,7 @@ def feedback_gain(
     The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback
     will do is decided as a condition on the entries of K.
     """
-    requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
+    requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     if not system.H:
         return _judge(gain, *_state_loop(system, parameters, requirement))
     if gain is None:
@@ -317,7 +317,7 @@ def _judge_none_static(system, requirement):
             compare(
                 sp.false,
                 entries,
-                Spectrum(loop, entries, requirement.margin).stability,
+                Spectrum(loop, entries, requirement.degree).stability,
                 lambda *_, where=where_text(values): f"there is a gain that does it{where}",
             )
         except Wrong as error:
@@ -328,17 +328,18 @@ def _judge_none_static(system, requirement):
 
 
 @judged(
-    Gains("parameters", shapes=lambda data: [_state_feedback_shape(data), _observer_shape(data)])
+    Gains("parameters", shapes=lambda data: [_state_feedback_shape(data), _observer_shape(data)]),
+    system="Linear or WithError with controls and outputs",
 )
-def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=0):
+def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=0):
     """Check the gains [K, L] of a feedback u = K e by the estimate e of an observer.
 
     An empty list says that there are none.
 
-    Of a system `WithError` L belongs to the state with w below it. Required is the margin for
+    Of a system `WithError` L belongs to the state with w below it. Required is the `degree` of stability for
     all values of the parameters, of the loop and of the errors.
     """
-    requirement = Requirement(tuple(parameters), given, margin)
+    requirement = Requirement(tuple(parameters), given, degree)
     parts = [
         _state_loop(system, parameters, requirement),
         _error_loop(system, parameters, requirement),

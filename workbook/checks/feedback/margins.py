@@ -1,6 +1,6 @@
-"""Stabilising gains: their region, the margins that can be attained, and obstacles.
+"""Stabilising gains: their region, the degrees of stability that can be attained, and obstacles.
 
-A margin mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
+A degree of stability mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
 """
 
 import sympy as sp
@@ -31,31 +31,31 @@ from workbook.checks.tools.wording import number_text, values_text, where_text
 from workbook.systems import Scalar
 
 
-@judged
-def gain_region(answer, system, gain, parameters, margin=0):
+@judged(system="Linear or Scalar")
+def gain_region(answer, system, gain, parameters, degree=0):
     """Check the condition on `parameters` under which the `gain` stabilises.
 
     The gain is a matrix of symbols: with a control u = Kx, or with an output too u = Kz,
     stabilises the system; without a control the errors of the observer decay, A - LH.
 
-    Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
+    Of one equation, `Scalar`, u = `gain` z. With a `degree` of stability its border counts either way.
     """
     loop, _ = loop_of(system)
     property_name = "stable" if isinstance(system, Scalar) or system.B else "convergent"
-    return compare_region(answer, loop(gain), parameters, property_name, margin)
+    return compare_region(answer, loop(gain), parameters, property_name, degree)
 
 
-@judged
+@judged(system="Linear, WithError or Scalar")
 def possible_margins(answer, system, mu, parameters=()):
-    """Check the condition on mu > 0 under which the margin mu can be attained.
+    """Check the condition on mu > 0 under which the degree of stability mu can be attained.
 
-    The condition is false if no margin can: with an output alone by some observer, with a
+    The condition is false if none can: with an output alone by some observer, with a
     control alone by some feedback u = Kx, with both, or for a `Scalar` equation of its full
     order, by some feedback by an estimate, whose errors are included, and an error of the
     measurement if it has one.
 
     With parameters the condition is on mu and these, so it also says for which values there is
-    no margin.
+    none.
     """
     if isinstance(system, Scalar):
         device, reference = "feedback by an estimate", up_to(mu, common_margin(system))
@@ -76,21 +76,24 @@ def possible_margins(answer, system, mu, parameters=()):
 
 
 def up_to(mu, *greatest):
-    """Return the `ReferenceCondition` that mu is at most each margin; None sets no bound."""
-    bounds = [margin for margin in greatest if margin is not None]
+    """Return the `ReferenceCondition` that mu is at most each degree; None sets no bound."""
+    bounds = [degree for degree in greatest if degree is not None]
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
 
 def compare_margins(answer, symbols, reference, device):
     def message(values, holds):
         if holds:
-            return f"your condition does not hold for {values_text(values)}, yet some {device} has this margin"
-        return f"your condition holds for {values_text(values)}, yet no {device} has this margin"
+            return (
+                f"your condition does not hold for {values_text(values)}, yet some {device} has "
+                "this degree of stability"
+            )
+        return f"your condition holds for {values_text(values)}, yet no {device} has this degree of stability"
 
-    return f"these are the margins that some {device} has: {compare(answer, symbols, reference, message)}"
+    return f"these are the degrees of stability that some {device} has: {compare(answer, symbols, reference, message)}"
 
 
-@judged
+@judged(system="Linear with outputs")
 def undetectable_mode(answer, system, parameters=()):
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none.
 
@@ -131,7 +134,7 @@ def undetectable_mode(answer, system, parameters=()):
             "your vector v is undefined",
             "your vector v is zero",
         )
-    return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
+    return "it is a mode that does not decay, and no gain changes it: A v = lambda v"
 
 
 def _judge_mode(value, vector, A, H, values, where):
@@ -139,10 +142,8 @@ def _judge_mode(value, vector, A, H, values, where):
     matrix, output = matrix_at(A, values), matrix_at(H, values)
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
-    vector_uncertainty, (root_uncertainty,) = (
-        entry_uncertainties(vector, values),
-        *entry_uncertainties(sp.Matrix([value]), values),
-    )
+    vector_uncertainty = entry_uncertainties(vector, values)
+    ((root_uncertainty,),) = entry_uncertainties(sp.Matrix([value]), values)
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()
     residual_uncertainty = (

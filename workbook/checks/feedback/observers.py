@@ -27,7 +27,8 @@ from workbook.checks.tools.wording import number_text, where_text
 @judged(
     Expressions(
         "estimates", "outputs", "controls", "parameters", length=lambda data: len(data["estimates"])
-    )
+    ),
+    system="Linear with outputs",
 )
 def observer_equations(
     claims,
@@ -37,7 +38,7 @@ def observer_equations(
     controls=(),
     parameters=(),
     given=sp.true,
-    margin=0,
+    degree=0,
     polynomial=None,
     symbol=None,
 ):
@@ -47,7 +48,7 @@ def observer_equations(
 
     The requirement is that of `observer_gain`, on the matrix that the errors obey.
     """
-    requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
+    requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     A, B, H = system.A, system.B, system.H
     symbols = [*estimates, *outputs, *controls]
     right_sides = sp.Matrix(claims)
@@ -66,16 +67,18 @@ def observer_equations(
             B,
             values,
             uncertainty_J,
-            "a control that is known acts on the estimate as on the state",
+            "a control that is known has to act on the estimate as on the state",
             controls,
+            "",
         )
         _require_equal(
             F + G * H,
             A,
             values,
             uncertainty_F + uncertainty_G @ abs(matrix_at(H, values)),
-            "an estimate that is exact at one instant does not stay so while the state moves",
+            "an estimate that is exact at one instant has to stay exact",
             estimates,
+            ", with z = H e inserted,",
         )
     return requirement.judge(in_fractions, F, "the matrix of the errors", "your equations")
 
@@ -159,7 +162,7 @@ def _require_linear(claims, symbols, parameters, estimates):
                 )
 
 
-def _require_equal(claimed, true, values, uncertainty, failure, names):
+def _require_equal(claimed, true, values, uncertainty, failure, names, part_text):
     numbers, expected = (
         np.array(m.subs(values).evalf(30).tolist(), dtype=complex).reshape(m.shape)
         for m in (claimed, true)
@@ -171,6 +174,6 @@ def _require_equal(claimed, true, values, uncertainty, failure, names):
     if wrong.any():
         i, k = np.argwhere(wrong)[0]
         raise Wrong(
-            f"{failure}{where_text(values)}: in equation {i + 1} the part of {names[k]} adds up to "
-            f"{number_text(numbers[i, k])}"
+            f"{failure}{where_text(values)}: in your equation {i + 1}{part_text} {names[k]} has the "
+            f"coefficient {number_text(numbers[i, k])}, which is not that of the system"
         )

@@ -15,7 +15,8 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
-from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.declared import Truth, at_symbols, declared
 from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
@@ -108,7 +109,7 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
         true = regulator.least(instant)
         yield SameEntries(claim, true, _cost_message(regulator, values), values, abs(true).max())
-    return "it solves the Riccati equation, and the law that belongs to it leads each state at this cost"
+    return "it solves the Riccati equation, and its law has this cost from each state"
 
 
 def _cost_message(regulator, values):
@@ -144,25 +145,17 @@ def _cost_message(regulator, values):
     return message
 
 
-@judged(Expression("start", "parameters"))
-def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
+@declared(
+    Expression("start", "parameters"),
+    right="there is a law that costs this, and none that costs less",
+    wrong="the least cost",
+    samples=at_symbols("start", count=2 * COUNT),
+)
+def least_quadratic_cost(values, problem, start):
     """Check the least cost from an initial state at the time 0, in its symbols."""
-    for values in in_every_case(
-        allowed_values([*start, *parameters], given, 2 * COUNT), claim, given
-    ):
-        regulator, x = (
-            regulators.Regulator(problem, values),
-            np.array([float(values[s]) for s in start]),
-        )
-        least = regulator.least()
-        yield SameValue(
-            claim,
-            regulator.factor * x @ least @ x,
-            "the least cost",
-            values,
-            regulator.factor * abs(x) @ abs(least) @ abs(x),
-        )
-    return "there is a law that costs this, and none that costs less"
+    regulator = regulators.Regulator(problem, values)
+    least, x = regulator.least(), np.array([float(values[s]) for s in start])
+    return Truth(regulator.factor * x @ least @ x, regulator.factor * abs(x) @ abs(least) @ abs(x))
 
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
@@ -194,34 +187,29 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
     return "these are the modes of the loop with the best law"
 
 
-@judged(MatrixOrVector("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
-def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
+@declared(
+    MatrixOrVector("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)),
+    right="the motion under the best law comes to rest there",
+    wrong=lambda entry: (
+        f"the motion under the best law{entry.where} comes to rest elsewhere: look "
+        f"at component {entry.row + 1}, where yours is {number_text(entry.number)}"
+    ),
+    samples=at_symbols("start"),
+)
+def optimal_limit_state(values, problem, start):
     """Check the limit of the state under the law of least cost.
 
     It is a column in the symbols of the initial state.
     """
     from scipy.linalg import null_space
 
-    for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
-        regulator = regulators.Regulator(problem, values)
-        loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
-        # The limit lies in the right kernel of the loop; the left kernel gives the invariants.
-        right_kernel, left_kernel = (
-            null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T)
-        )
-        initial = np.array([[float(values[s])] for s in start])
-        true = right_kernel @ np.linalg.solve(left_kernel.T @ right_kernel, left_kernel.T @ initial)
-        yield SameEntries(
-            claim,
-            true,
-            lambda claimed, i, j: (
-                f"the motion under the best law{where_text(values)} comes to rest elsewhere: look "
-                f"at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
-            ),
-            values,
-            abs(initial).max(),
-        )
-    return "the motion under the best law comes to rest there"
+    regulator = regulators.Regulator(problem, values)
+    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    # The limit lies in the right kernel of the loop; the left kernel gives the invariants.
+    right_kernel, left_kernel = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
+    initial = np.array([[float(values[s])] for s in start])
+    limit = right_kernel @ np.linalg.solve(left_kernel.T @ right_kernel, left_kernel.T @ initial)
+    return Truth(limit, abs(initial).max())
 
 
 @judged(Matrix("cost", "parameters", shape=_square))
@@ -258,11 +246,15 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
             values,
             sum(map(abs, terms)),
         )
-    return "what is left to pay changes like this along the best motion"
+    return "the remaining cost changes at this rate along the best motion"
 
 
-@judged(Expression("parameters"))
-def steady_cost(claim, problem, process, parameters=(), given=sp.true):
+@declared(
+    Expression("parameters"),
+    right="the covariance of the whole loop with the best gains has this cost",
+    wrong="the mean cost, from the stationary covariance of the loop with the best gains,",
+)
+def steady_cost(values, problem, process):
     """Check the least limit of factor E[x^T G x + u^T N u] with a noise that drives the system.
 
     The control u may depend on the measurements of the process; on the state itself if the
@@ -270,65 +262,47 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
     """
     from scipy.linalg import solve_continuous_lyapunov
 
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        loop, noise, weight = regulators.steady_loop(problem, process, values)
-        covariance = solve_continuous_lyapunov(loop, -noise)
-        factor = float(sp.sympify(problem.factor).subs(values))
-        yield SameValue(
-            claim,
-            factor * np.trace(weight @ covariance),
-            "the mean cost, from the stationary covariance of the loop with the best gains,",
-            values,
+    loop, noise, weight = regulators.steady_loop(problem, process, values)
+    covariance = solve_continuous_lyapunov(loop, -noise)
+    return Truth(float(sp.sympify(problem.factor).subs(values)) * np.trace(weight @ covariance))
+
+
+def _wrong_controller(entry):
+    """Return the message on an equation of the controller: its value, and a term to look at."""
+    estimates, outputs, innovation, motion, size = entry.context
+    return (
+        f"your rate of change of {estimates[entry.row]} is {number_text(entry.number)}{entry.where}; "
+        + innovation_text(
+            entry.answer, entry.values, outputs, innovation, motion, size, controlled=True
         )
-    return "the covariance of the whole loop with the best gains has this cost"
+    )
 
 
-@judged(
+@declared(
     MatrixOrVector(
         "estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)
-    )
+    ),
+    right=(
+        "the estimate moves like the system with its control, and the innovation is taken in with "
+        "the best gain"
+    ),
+    wrong=_wrong_controller,
+    samples=at_symbols("estimates", "outputs"),
 )
-def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
+def controller_equations(values, problem, process, estimates, outputs):
     """Check the right-hand sides e' = ... of the best feedback by measurements.
 
     They are a column in the symbols of the estimates e and of the outputs z, the control u = Ke
     inserted.
     """
-    for values in in_every_case(
-        allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given
-    ):
-        regulator, model = (
-            regulators.Regulator(problem, values),
-            processes.at_values(process, values, start=False),
-        )
-        e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
-        L = processes.filter_gain(model, processes.steady_covariances(model)[0])
-        terms = (
-            regulator.A @ e,
-            regulator.B @ regulator.gain_for(regulator.least()) @ e,
-            L @ z,
-            -L @ model.H @ e,
-        )
-        yield SameEntries(
-            claim,
-            sum(terms),
-            lambda claimed, i, j: (
-                f"your rate of change of {estimates[i]} is "
-                f"{number_text(claimed[i, 0])}{where_text(values)}; "
-                + innovation_text(
-                    claim,
-                    values,
-                    outputs,
-                    model.H @ e,
-                    terms[0] + terms[1],
-                    sum(map(abs, terms)),
-                    controlled=True,
-                )
-            ),
-            values,
-            sum(map(abs, terms)),
-        )
-    return "the estimate moves like the system with its control, and the innovation is taken in with the best gain"
+    regulator = regulators.Regulator(problem, values)
+    model = processes.at_values(process, values, start=False)
+    e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+    L = processes.filter_gain(model, processes.steady_covariances(model)[0])
+    motion = regulator.A @ e, regulator.B @ regulator.gain_for(regulator.least()) @ e
+    terms = *motion, L @ z, -L @ model.H @ e
+    size = sum(map(abs, terms))
+    return Truth(sum(terms), size, (estimates, outputs, model.H @ e, sum(motion), size))
 
 
 def _regulators_in_time(problem, time, claim, parameters, given):

@@ -13,7 +13,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, agree
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import random_value
@@ -62,7 +62,7 @@ def control_equation(claim, problem, domain=None):
             f"for {rounded_text(shown)} your expression gives {u}' the value {claimed:.4g}, with "
             f"which dH/d{u} does not stay zero"
         )
-    return f"under it dH/d{u} stays zero, tried at {SAMPLES} places"
+    return f"under it dH/d{u} stays zero, tried at {SAMPLES} points"
 
 
 class _Rate:
@@ -70,7 +70,7 @@ class _Rate:
 
     def __init__(self, problem):
         if len(problem.control) != 1:
-            raise RuntimeError("the equation is known for problems with one control")
+            raise UnsuitableData("problem: expected one control")
         self._problem, (u,) = problem, problem.control
         costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
         H, costate_values = hamiltonian(problem, costates), known_costates(problem, costates)
@@ -137,7 +137,9 @@ class _Rate:
             )
             if np.ptp(rates) <= DETERMINED * terms.max():
                 return float(rates[0]), float(terms[0])
-        raise RuntimeError("the costates cannot be eliminated from the equation of the control")
+        raise UnsuitableData(
+            "problem: the costates cannot be eliminated from the equation of the control"
+        )
 
 
 def _affine(e, symbols):

@@ -7,7 +7,7 @@ They are judged by the conditions of the maximum principle with lambda_0 = 1. `p
 import numpy as np
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.changes_compared import (
     jumps_between_formulas,
     processes_between_changes,
@@ -15,13 +15,21 @@ from workbook.checks.pontryagin.changes_compared import (
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
-from workbook.checks.tools.wording import NO_NUMBER, prefix_text, value_text
+from workbook.checks.references.optima.units import is_time_optimal
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text
 
 #: Relative accuracy of a control between its bounds.
 CONTROL_ACCURACY = 2e-3
+#: So much earlier, as a share of the time, costates are taken: formulas in parts may change at the time.
+BEFORE = 1e-7
+#: Costates and their rates that are smaller than this, in the units of the problem, are zero.
+VANISHING = 1e-6
 
 
-@judged(Costates("time", "parameters", problem="problem"))
+@judged(
+    Costates("time", "parameters", problem="problem"),
+    problem="pontryagin.Problem with one control, its duration also an interval",
+)
 def optimal_costate(claims, problem, time, parameters=None):
     """Check costates along the optimal process with lambda_0 = 1.
 
@@ -37,13 +45,17 @@ def optimal_costate(claims, problem, time, parameters=None):
             for x in np.array(problem.state)[~(np.abs(jump) <= allowed)][:1]:
                 raise Wrong(f"{where}your costate of {x} jumps at t = {t:.4g}")
         points = [
-            *((t * (1 - 1e-7), y, u) for t, y, u in zip(best.times, best.states.T, best.controls)),
+            *(
+                (t * (1 - BEFORE), y, u)
+                for t, y, u in zip(best.times, best.states.T, best.controls)
+            ),
             *processes_between_changes(costate.changes(values, best.duration), best),
         ]
         for t, y, u in points:
             psi, slope = (part(t, values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
-                raise Wrong(f"{where}at t = {t:.4g} a costate of yours is {NO_NUMBER}")
+                part_text = process_part_text(t, best.duration)
+                raise Wrong(f"{where}one of your costates is {NO_NUMBER}, {part_text}")
             # H is the product of these extended costates with the rates, the last of which is the
             # running cost.
             extended, process_point = (
@@ -51,6 +63,8 @@ def optimal_costate(claims, problem, time, parameters=None):
                 (best, y, u, costate.rounding),
             )
             psi_uncertainty, slope_uncertainty = costate.uncertainty(t, values)
+            psi_uncertainty = psi_uncertainty + BEFORE * t * np.abs(slope)
+            location = f"{where}{process_part_text(t, best.duration)}"
             _require_adjoint_equation(
                 extended,
                 slope,
@@ -58,7 +72,7 @@ def optimal_costate(claims, problem, time, parameters=None):
                 units,
                 largest,
                 list(problem.dynamics),
-                f"{where}at t = {t:.4g}",
+                location,
                 (psi_uncertainty, slope_uncertainty),
             )
             _require_maximum(
@@ -66,7 +80,7 @@ def optimal_costate(claims, problem, time, parameters=None):
                 *process_point,
                 units,
                 problem.duration,
-                f"{where}at t = {t:.4g}",
+                location,
                 np.append(psi_uncertainty, 0),
             )
         _require_equal_at_jumps(costate, best, values, sign, where)
@@ -98,6 +112,8 @@ def optimal_switching(claim, problem, time):
 
     The time of the transfer is minimised or maximised.
     """
+    if len(problem.terminal) != 1 or not is_time_optimal(problem):
+        raise UnsuitableData("problem: expected a transfer to a line in the least or greatest time")
     function, ((_, best),) = InTime([claim], time, ()), best_processes(problem)
     samples = best.switching_function()
     size = max(abs(value) for _, value in samples)
@@ -108,10 +124,9 @@ def optimal_switching(claim, problem, time):
             <= 4 * function.rounding * size + function.uncertainty(t, {})[0][0]
         ):
             raise Wrong(
-                f"at t = {t:.4g} your function is {value_text(claimed)}; it does not have the "
-                f"{'sign' if claimed * true < 0 else 'value'} of dH/du there, if the costate that "
-                "transversality and H = 0 "
-                f"determine at the end is followed back along the best process"
+                f"{process_part_text(t, best.duration)} your function does not have the "
+                f"{'sign' if claimed * true < 0 else 'value'} of dH/du, if the costate that "
+                "transversality and H = 0 determine at the end is followed back along the best process"
             )
     return "it is dH/du along the best process, with the costate followed back from the end"
 
@@ -121,6 +136,8 @@ def _require_adjoint_equation(
 ):
     terms = -best.jacobians(y, u)[0].T * extended
     size = np.abs(terms / units[:, None]).sum() + largest / best.duration
+    # All of it is rounding where the best process stays at zero: there the problem has the scale.
+    size = max(size, VANISHING / best.units.time)
     expected = terms.sum(axis=1)
     allowed = (
         10 * rounding * size * units
@@ -173,8 +190,8 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
         extended, uncertainty = (
             np.append(part, last)
             for part, last in (
-                (costate.values(t * (1 - 1e-7), values), -sign),
-                (costate.uncertainty(t * (1 - 1e-7), values)[0], 0),
+                (costate.values(t * (1 - BEFORE), values), -sign),
+                (costate.uncertainty(t * (1 - BEFORE), values)[0], 0),
             )
         )
         before, after = (best.field(y, u) for u in kinds)

@@ -16,7 +16,7 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.wording import rounded_text
 
 
-@judged
+@judged(problem="pontryagin.Problem with one control and a given duration")
 def extremal_control(answer, problem, time, parameters=None, start=None):
     """Check a control in time under which the maximum principle holds, optimal or not.
 
@@ -53,7 +53,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
-        ends = steering.ends(values)
+        ends = steering.ends(values, float(problem.duration))
         if ends and ends[-1] < (
             float(problem.duration) * (1 - steering.rounding)
             - steering.end_uncertainties(values)[-1]

@@ -117,11 +117,11 @@ def extremum_exists(claim, functional, duration=None):
     if duration is None:
         exists = _optimum(functional).convex()
         reason = (
-            "every second variation makes it worse"
+            "the second variation always makes it worse"
             if exists
-            else "some second variations do not make it worse"
+            else "some variations do not make it worse to second order"
         )
-        reason += ", tried for steps of a fortieth of the interval"
+        reason += ", tried with functions on 40 parts of the interval"
     else:
         sign = -1 if functional.maximise else 1
         durations = DURATIONS * float(units_of(functional).time)
@@ -132,7 +132,7 @@ def extremum_exists(claim, functional, duration=None):
         reason = (
             f"its {word} values for {len(series)} durations from {durations[0]:.3g} to "
             f"{durations[-1]:.3g} "
-            f"{'have a best one among them' if exists else 'only get better towards one side'}"
+            f"{'have a best one among them' if exists else 'only get better towards one end'}"
         )
     yield SameWord(claim, exists, reason, "look at how the functional behaves: ")
     return reason

@@ -34,7 +34,8 @@ STARTS, ITERATIONS, CONVERGED = 4, 30, 1e-10
         lambda data: [data["by"] or data["time"]],
         "parameters",
         length=lambda data: len(data["problem"].state),
-    )
+    ),
+    problem="pontryagin.Problem with one control and a given duration",
 )
 def motion_under_law(claims, problem, law, time, parameters, by=None):
     """Check all states of the motion under a law as functions of time.
@@ -92,7 +93,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
                 f"{prefix_text(values)}your {quantity} is {claimed:.4g}; this is not its value where the "
                 "constants of the law satisfy the conditions at the end"
             )
-    return f"it is what the conditions at the end make it{tried_text(parameters)}"
+    return f"it is the value that the conditions at the end give{tried_text(parameters)}"
 
 
 class _Run:

@@ -17,7 +17,7 @@ from workbook.checks.contract.tolerance import (
     agree,
     in_decimals,
 )
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     RIVALS,
     SAMPLES,
@@ -46,7 +46,8 @@ UNBOUNDED = 20.0
             *data["costates"],
             *data["problem"].parameters,
         ]
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def pontryagin_function(claim, problem, costates, domain=None):
     """Check the Pontryagin function H with lambda_0 = 1.
@@ -56,7 +57,7 @@ def pontryagin_function(claim, problem, costates, domain=None):
     true = hamiltonian(problem, costates)
     for values in sample_points(problem, costates, domain):
         _require_equal(claim, true, values, "H")
-    return f"it is H, tried at {SAMPLES} places"
+    return f"it is H, tried at {SAMPLES} points"
 
 
 @judged(
@@ -68,7 +69,8 @@ def pontryagin_function(claim, problem, costates, domain=None):
             *data["problem"].parameters,
         ],
         length="costates",
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def adjoint_equations(claims, problem, costates, domain=None):
     """Check the right-hand sides of the adjoint equations with lambda_0 = 1.
@@ -79,7 +81,7 @@ def adjoint_equations(claims, problem, costates, domain=None):
     for psi, y, claim in zip(costates, problem.state, claims):
         for values in sample_points(problem, costates, domain):
             _require_equal(claim, -sp.diff(H, y), values, f"{psi}'")
-    return f"they are the adjoint equations at {SAMPLES} places"
+    return f"they are the adjoint equations at {SAMPLES} points"
 
 
 @judged(
@@ -90,7 +92,8 @@ def adjoint_equations(claims, problem, costates, domain=None):
             *data["costates"],
             *data["problem"].parameters,
         ]
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def switching_function(claim, problem, costates, control=None, domain=None):
     """Check the switching function dH/du, up to a positive factor.
@@ -119,7 +122,8 @@ def switching_function(claim, problem, costates, control=None, domain=None):
             *data["costates"],
             *data["problem"].parameters,
         ]
-    )
+    ),
+    problem="pontryagin.Problem with one control, its duration also an interval",
 )
 def switching_rate(claim, problem, costates, control=None, domain=None):
     """Check the time derivative of dH/du along the trajectories and the adjoint equations."""
@@ -129,10 +133,10 @@ def switching_rate(claim, problem, costates, control=None, domain=None):
     true = sum((sp.diff(first, s) * rate for s, rate in flow.items()), sp.S.Zero)
     for values in sample_points(problem, costates, domain, use_known_costates=True):
         _require_equal(claim, true, values, "the derivative of dH/du")
-    return f"it is the derivative of dH/du at {SAMPLES} places"
+    return f"it is the derivative of dH/du at {SAMPLES} points"
 
 
-@judged
+@judged(problem="pontryagin.Problem with any number of controls, its duration also an interval")
 def maximising_control(answer, problem, costates, domain=None):
     """Check the control that maximises H, in states, costates and parameters.
 
@@ -189,13 +193,14 @@ def maximising_control(answer, problem, costates, domain=None):
                 f"for {rounded_text(values)} your control does not maximise H: it gives H = "
                 f"{H(*numbers, *claimed)[0]:.4g}, and another admissible control gives more"
             )
-    return f"no admissible control gives a greater H, tried at {SAMPLES} places"
+    return f"no admissible control gives a greater H, tried at {SAMPLES} points"
 
 
 @judged(
     Expression(
         lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls",
 )
 def maximised_hamiltonian(claim, problem, costates, domain=None):
     """Check the greatest value of H over the admissible controls with lambda_0 = 1.
@@ -204,7 +209,7 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
     """
     H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)
     if any(sp.diff(H, u, v) != 0 for u in controls for v in controls):
-        raise ValueError("H is not linear in the controls")
+        raise UnsuitableData("H is not linear in the controls")
     remaining_terms, slopes = H.subs(dict.fromkeys(controls, 0)), [sp.diff(H, u) for u in controls]
     for values in (
         *sample_points(problem, costates, domain, controls=False),
@@ -236,7 +241,7 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
                     "that is not the greatest value of H",
                 )
             )
-    return f"it is the greatest value of H, at {SAMPLES} places"
+    return f"it is the greatest value of H, at {SAMPLES} points"
 
 
 def _require_equal(claim, true, values, quantity):

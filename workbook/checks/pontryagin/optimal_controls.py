@@ -22,6 +22,7 @@ from workbook.checks.pontryagin.time_functions import (
     INTEGRATED,
     Control,
     Steering,
+    values_of,
 )
 from workbook.checks.references.optima.best_processes import (
     best_processes,
@@ -46,7 +47,10 @@ SAME, SUDDEN = 1e-6, 1e-9
 TIMED = 0.05
 
 
-@judged(Control("time", "parameters", time="time"))
+@judged(
+    Control("time", "parameters", time="time"),
+    problem="pontryagin.Problem with one control, its duration also an interval",
+)
 def optimal_control(claim, problem, time, parameters=None):
     """Check the control of an optimal process.
 
@@ -95,18 +99,20 @@ def optimal_control(claim, problem, time, parameters=None):
 def _require_matching_end(steering, values, best, problem, where, source):
     """Raise `Wrong` unless the arcs end when the best process does.
 
-    The last arc may neither end too early nor begin after the end. With a free duration the process
-    is judged at its own end if that is closer to the target, since a process that costs too much may
-    end at another time.
+    The last arc may neither end too early nor begin after the end; but where the ends depend on
+    parameters and the duration is given, what comes after the end does not count. With a free
+    duration the process is judged at its own end if that is closer to the target, since a process
+    that costs too much may end at another time.
     """
-    if not (ends := steering.ends(values)):
+    counted = best.duration if steering.ends_vary and not problem.free_time else np.inf
+    if not (ends := steering.ends(values, counted)):
         return
     (begin, end), uncertainties = [0.0, *ends][-2:], [0.0, *steering.end_uncertainties(values)][-2:]
     early, late = (
         end < best.duration * (1 - steering.rounding) - uncertainties[1],
         begin > best.duration * (1 + steering.rounding) + uncertainties[0],
     )
-    if problem.duration is None or isinstance(problem.duration, tuple):
+    if problem.free_time:
         own_path, cut_path = (
             Path(best, steering.sections(values, until), where) for until in (end, best.duration)
         )
@@ -183,7 +189,7 @@ def _require_same_changes(sections, best, where):
     for j, before, after in getattr(best, "changes", list)():
         if before is None or after is None:
             continue
-        around = _values(sections, times[[j - 1, j + 1]])
+        around = values_of(sections, times[[j - 1, j + 1]])
         if np.all(np.abs(around - [before, after]) <= slack) and not any(
             abs(t - times[j]) <= LOCATED * best.duration for t in changes
         ):
@@ -212,18 +218,6 @@ def _gradual_change_time(sections, first, before, last, after, slack, duration):
         if not abs(u(point + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
             return float(point[0])
     return None
-
-
-def _values(sections, times):
-    """Return the values of a control at instants."""
-    times = np.clip(times, sections[0][0], sections[-1][1])
-    values, remaining = np.empty(len(times)), np.ones(len(times), dtype=bool)
-    for begin, end, u in sections:
-        inside = remaining & (begin <= times) & (times <= end)
-        if inside.any():
-            values[inside] = u(times[inside])
-        remaining &= ~inside
-    return values
 
 
 def _require_continuous_changes(sections, perturbed, best, values, where):
@@ -261,11 +255,11 @@ def _require_continuous_changes(sections, perturbed, best, values, where):
 
 def _jump(sections, first, last, tolerance):
     """Return the jump of a control where it leaves its value at the first of two instants."""
-    first_value = _values(sections, [first])[0]
+    first_value = values_of(sections, [first])[0]
     point = bisect(
-        lambda t, _: abs(_values(sections, t) - first_value) <= tolerance,
+        lambda t, _: abs(values_of(sections, t) - first_value) <= tolerance,
         np.array([first]),
         np.array([last]),
         48,
     )[1]
-    return _values(sections, point)[0] - first_value
+    return values_of(sections, point)[0] - first_value

@@ -22,7 +22,7 @@ from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at
-from workbook.checks.tools.wording import NO_NUMBER, prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text
 
 #: Distance from a change of its control at which the best process is compared with a law, relative
 #: to the duration, and distance of the states at which the law is evaluated, relative to the
@@ -46,7 +46,7 @@ SMALLER = 4
 LOCATED = 3e-4
 
 
-@judged
+@judged(problem="pontryagin.Problem with one control, its duration also an interval")
 def optimal_law(answer, problem, parameters, time=None):
     """Check a law under which every initial state gives an optimal process.
 
@@ -108,7 +108,7 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
     if not points:
         raise RuntimeError("on no process that was found the control changes so")
     judge_at_every_scale(claim, problem, parameters, points, state[1 - k], str(state[1 - k]))
-    return f"the control of the best processes changes there, at {len(points)} places"
+    return f"the control of the best processes changes there, at {len(points)} points"
 
 
 def _kind(best, value):
@@ -299,14 +299,10 @@ def _motions_under_law(law, processes, steps=STEPS):
     for _ in range(steps):
         u = law(y[:, :-1].T, t, values, bounds)
         for k in np.flatnonzero(~((low - slack <= u) & (u <= high + slack))):
-            claimed = (
-                f"{u[k]:.4g}, outside the bounds of the control"
-                if np.isfinite(u[k])
-                else law.no_value
-            )
+            claimed = "values outside the bounds" if np.isfinite(u[k]) else law.no_value
             raise Wrong(
-                f"{prefix_text(processes[k][0])}at t = {t[k]:.4g} the motion under your law is at "
-                f"{point_text(y[k, :-1])}, and the law gives {claimed}"
+                f"{prefix_text(processes[k][0])}the motion under your law comes to a state, "
+                f"{process_part_text(t[k], bests[k].duration)}, for which the law gives {claimed}"
             )
         y = np.array(
             [

@@ -26,14 +26,17 @@ from workbook.checks.references.optima.best_processes import (
     free_at_the_start,
 )
 from workbook.checks.references.optima.units import is_time_optimal
-from workbook.checks.tools.wording import NO_NUMBER, prefix_text
+from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text, round_instants
 
 #: Where rates are not linear in the control: number of parts of its interval, number of refinements
 #: around the best value, and the largest absolute value where it has no bounds.
 PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 
 
-@judged(Motion("time", "parameters", problem="problem", time="time"))
+@judged(
+    Motion("time", "parameters", problem="problem", time="time"),
+    problem="pontryagin.Problem with one control, its duration also an interval",
+)
 def optimal_motion(claims, problem, time, parameters=None):
     """Check an optimal motion, all states as functions of time and parameters.
 
@@ -108,8 +111,8 @@ def _require_same_rates(motion, values, best, where):
         difference = np.abs(motion.rates(t, values) - best.field(np.append(y, 0), u)[:-1])
         if not np.all(difference <= _rate_tolerance(motion, t, values, best, y)):
             raise Wrong(
-                f"{where}at t = {t:.4g} your motion follows another control than the best one: "
-                "it changes too early or too late"
+                f"{where}your motion follows another control than the best one for a while: its "
+                "control changes too early or too late"
             )
 
 
@@ -134,21 +137,28 @@ def _admissible_state(motion, t, values, best, problem, where):
     Raise `Wrong` if it does not obey the equations there under any admissible control.
     """
     instant = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
-    y, rate = motion.values(instant, values), motion.rates(instant, values)
-    if not np.all(np.isfinite([*y, *rate])):
-        raise Wrong(f"{where}your motion is {NO_NUMBER}, at t = {t:.4g}")
-    units = best.units.states * np.ones(len(y))
-    scale = _rate_tolerance(motion, instant, values, best, y)
-    differences = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
-    if not np.all(differences <= scale):
-        j = int(np.argmax(differences / units))
+    y, part_text = motion.values(instant, values), process_part_text(t, best.duration)
+    if not np.all(np.isfinite([*y, *motion.rates(instant, values)])):
+        raise Wrong(f"{where}your motion is {NO_NUMBER}, {part_text}")
+    if (k := _inadmissible_rate(motion, instant, values, best)) is not None:
         ending = "" if len(y) == 1 else ", with the other rates that it has there"
-        raise Wrong(
-            f"{where}at t = {t:.4g} your motion has "
-            f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives "
-            f"there{ending}"
-        )
+        text = f"{part_text} your motion has a rate {problem.state[k]}'"
+        for named in round_instants(best.duration):
+            rates, j = motion.rates(named, values), _inadmissible_rate(motion, named, values, best)
+            if j is not None and np.isfinite(rates[j]):
+                text = f"at t = {named:.4g} your motion has {problem.state[j]}' = {rates[j]:.4g}"
+                break
+        raise Wrong(f"{where}{text}, which no admissible control gives there{ending}")
     return np.append(y, 0)
+
+
+def _inadmissible_rate(motion, t, values, best):
+    """Return the index of the worst rate of a motion if no admissible control gives its rates."""
+    y, rate = motion.values(t, values), motion.rates(t, values)
+    units = best.units.states * np.ones(len(y))
+    scale = _rate_tolerance(motion, t, values, best, y)
+    differences = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
+    return None if np.all(differences <= scale) else int(np.argmax(differences / units))
 
 
 def _nearest_rates(best, y, rate):

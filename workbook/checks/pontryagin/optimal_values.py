@@ -12,7 +12,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.optimal_controls import ARC_ACCURACY, CONTROL_ACCURACY, MISSED_ARC
 from workbook.checks.pontryagin.simulation import (
     COSTS,
@@ -52,7 +52,10 @@ NOUNS = {"cost": "value", "duration": "duration"}
 RANGE_ACCURACY = 5e-4
 
 
-@judged(Expression("parameters"))
+@judged(
+    Expression("parameters"),
+    problem="pontryagin.Problem with one control, its duration also an interval",
+)
 def optimal_cost(claim, problem, parameters=None):
     """Check the cost of the optimal process, as an expression in the parameters.
 
@@ -94,7 +97,7 @@ def optimal_cost(claim, problem, parameters=None):
             raise Wrong(
                 f"{where}your value is {claimed:.4g}; "
                 + directed(
-                    "no admissible process that keeps to the ends was found that does so well"
+                    "no admissible process with these ends was found for which it is as good"
                     if unattainable
                     else f"there is an admissible process for which it is {better}",
                     "it is not that of the best process found",
@@ -144,8 +147,8 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
         true = getattr(best, quantity)
         if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), uncertain):
             raise Wrong(
-                f"{prefix_text(values)}your expression goes over from one form to another, and gives "
-                f"{claimed:.4g} next to that; the {NOUNS[quantity]} of the best process found is "
+                f"{prefix_text(values)}your expression changes from one formula to another near this "
+                f"point, and gives {claimed:.4g}; the {NOUNS[quantity]} of the best process found is "
                 + directed("less" if claimed > true else "greater", "not this")
             )
         compared.append((values, claimed, true))
@@ -160,8 +163,8 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
             abs(second_true - first_true), COSTS * abs(first_claimed)
         ):
             raise Wrong(
-                f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
-                f"the {NOUNS[quantity]} of the best process found hardly changes"
+                f"{prefix_text(values)}your expression jumps where it changes its formula; near this "
+                f"point the {NOUNS[quantity]} of the best process found hardly changes"
             )
 
 
@@ -198,7 +201,7 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
         )
 
 
-@judged(Expression("parameters"))
+@judged(Expression("parameters"), problem="pontryagin.Problem with any number of controls")
 def optimal_duration(claim, problem, parameters=None):
     """Check the duration of the optimal process, as an expression in the parameters."""
     processes = best_processes(problem, parameters, 2 * SAMPLES)
@@ -218,12 +221,16 @@ def optimal_duration(claim, problem, parameters=None):
     return "it is the duration of the best process found"
 
 
-@judged(Expression("parameters"))
+@judged(Expression("parameters"), problem="pontryagin.Problem with any number of controls")
 def initial_arc_duration(claim, problem, control, value, parameters):
     """Check how long the optimal process keeps a control at a value from the beginning.
 
     The control is one of several; the duration is zero where it begins with another value.
     """
+    if len(problem.controls) < 2:
+        raise UnsuitableData("problem: expected one with several controls")
+    if control not in problem.controls:
+        raise UnsuitableData(f"control: expected one of {', '.join(map(str, problem.controls))}")
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
     true_durations, processes = [], best_processes(problem, parameters)
@@ -246,22 +253,22 @@ def initial_arc_duration(claim, problem, control, value, parameters):
             uncertainty_at(claim, values),
         ):
             raise Wrong(
-                f"{prefix_text(values)}you keep {control} = {value} for {claimed:.4g} at first; the best "
-                "process found does so "
+                f"{prefix_text(values)}by your answer {control} is {value} for the first {claimed:.4g} "
+                "units of time; in the best process found it is so "
                 + directed(
-                    "longer"
+                    "for a longer time"
                     if true > claimed
                     else "for a shorter time"
                     if true
-                    else "at no time at the start",
-                    "not just so long",
+                    else "not at the beginning",
+                    "not for just this time",
                 )
             )
     _require_corner(claim, true_durations)
     judge_at_every_scale(
         claim, problem, parameters, [values for values, _ in true_durations], TIME, "time"
     )
-    return "the best processes found keep it so long"
+    return "the best processes found keep this value for this time"
 
 
 def _require_corner(claim, true_durations):
@@ -308,12 +315,15 @@ def _require_corner(claim, true_durations):
     )[:1]:
         point = dict(zip(symbols, absent[k] + onset[k] * (present[k] - absent[k])))
         raise Wrong(
-            f"{prefix_text(point)}your time leaves zero by and by; that of the best process does so at "
-            "once"
+            f"{prefix_text(point)}next to parameters for which it is zero your time grows too slowly; that "
+            "of the best process has a corner there"
         )
 
 
-@judged(Expression("parameters"))
+@judged(
+    Expression("parameters"),
+    problem="pontryagin.Problem with one control, its duration also an interval",
+)
 def optimal_range(claim, problem, quantity, parameters=None):
     """Check the range of a quantity along the optimal process.
 
@@ -344,4 +354,4 @@ def optimal_range(claim, problem, quantity, parameters=None):
                 prefix_text(values)
                 + other_text(f"the range of {quantity} along the best process found", claimed, true)
             )
-    return "so far it ranges along the best process found"
+    return "it is the range along the best process found"

@@ -7,7 +7,7 @@ process found costs. The motion under a control in time is integrated in small s
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.pontryagin.time_functions import INTEGRATED
+from workbook.checks.pontryagin.time_functions import INTEGRATED, values_of
 from workbook.checks.tools import wording
 
 #: Relative accuracy of the least cost, and of the cost of a process that is integrated in small
@@ -28,7 +28,7 @@ class Path:
     """
 
     def __init__(self, best, sections, where):
-        self.best, self.where = best, where
+        self.best, self.where, self._sections = best, where, sections
         y = np.array(best.start, dtype=float)
         self.times, self.states, self.controls = [0.0], [y], []
         for begin, end, u in sections:
@@ -41,8 +41,8 @@ class Path:
                     y = _step(best.field, claimed[k - 1 : k + 2], y, h)
                 except OverflowError:  # Python's powers raise it, where NumPy's are infinite
                     raise Wrong(
-                        f"{where}under your control the numbers become too large to be computed "
-                        f"with, at t = {times[k]:.4g}"
+                        f"{where}under your control the states become too large to be computed with "
+                        + wording.process_part_text(times[k], sections[-1][1])
                     ) from None
                 self.times.append(times[k + 1])
                 self.states.append(y)
@@ -51,11 +51,20 @@ class Path:
     def require_admissible(self, rounding):
         low, high = self.best.bounds
         slack = max(1e-9, rounding / 10) * (high - low)
-        for t, u in self.controls:
-            if not low - slack <= u <= high + slack:
-                raise Wrong(
-                    f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds"
-                )
+
+        def outside(u):
+            return not low - slack <= u <= high + slack
+
+        for t, _ in (pair for pair in self.controls if outside(pair[1])):
+            duration = self._sections[-1][1]
+            instants = wording.round_instants(duration)
+            for instant, u in zip(instants, values_of(self._sections, instants)):
+                if outside(u):
+                    raise Wrong(
+                        f"{self.where}your control is {u:.4g} at t = {instant:.4g}, outside its bounds"
+                    )
+            part_text = wording.process_part_text(t, duration)
+            raise Wrong(f"{self.where}your control is outside its bounds {part_text}")
 
 
 def require_optimal(
@@ -168,10 +177,8 @@ def require_single_meeting(times, states, best, where):
     tolerance = 1e-6 * best.size()
     if sides.min(initial=0) < -tolerance and sides.max(initial=0) > tolerance:
         k = int(np.flatnonzero(np.sign(sides) != np.sign(sides[np.argmax(np.abs(sides[:9]))]))[0])
-        raise Wrong(
-            f"{where}the target is met at the time {times[k + 1]:.4g} already, and the process "
-            "ends there"
-        )
+        part_text = wording.process_part_text(times[k + 1], times[-1])
+        raise Wrong(f"{where}the target is met {part_text} already, and the process ends there")
 
 
 def point_text(values):

@@ -15,7 +15,7 @@ from workbook.checks.contract.members import members
 from workbook.checks.contract.tolerance import (
     agree,
 )
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     POINT_ACCURACY,
     SAMPLES,
@@ -36,7 +36,10 @@ from workbook.checks.tools.wording import rounded_text
 TURNS = 2
 
 
-@judged(Integer())
+@judged(
+    Integer(),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
+)
 def singular_order(claim, problem, costates, control=None):
     """Check the order q of the singular arcs.
 
@@ -51,7 +54,7 @@ def singular_order(claim, problem, costates, control=None):
     return f"{arcs.control} appears first in the derivative of order {2 * arcs.order}"
 
 
-@judged
+@judged(problem="pontryagin.Problem with one control, its duration also an interval")
 def singular_surface(answer, problem, costates, control=None, domain=None):
     """Check the surface of the singular arcs in states and parameters.
 
@@ -101,7 +104,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
         if count == SAMPLES:
             break
     if not count:
-        raise RuntimeError("no point of the surface could be decided")
+        raise UnsuitableData("domain: no point of the surface could be decided in it")
     return f"singular arcs lie there and nowhere else, tried at {count} points"
 
 
@@ -113,7 +116,8 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
             *data["costates"],
             *data["problem"].parameters,
         ]
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_control(claim, problem, costates, control=None, domain=None):
     """Check the control on singular arcs, in states and parameters.
@@ -153,7 +157,8 @@ def singular_control(claim, problem, costates, control=None, domain=None):
             *data["problem"].parameters,
         ],
         length="costates",
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_costates(claims, problem, costates, control=None, domain=None):
     """Check the costates with lambda_0 = 1 as long as one control is singular.
@@ -192,7 +197,8 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
             *data["costates"],
             *data["problem"].parameters,
         ]
-    )
+    ),
+    problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def kelley_expression(claim, problem, costates, control=None, domain=None):
     """Check the left-hand side of the Kelley condition on singular arcs.
@@ -218,7 +224,9 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     return "it is Kelley's expression on singular arcs"
 
 
-@judged(YesNo())
+@judged(
+    YesNo(), problem="pontryagin.Problem with any number of controls, its duration also an interval"
+)
 def kelley_holds(claim, problem, costates, control=None, domain=None):
     """Check whether the Kelley condition holds on the singular arcs."""
     arcs = _arcs(problem, costates, control)
@@ -237,7 +245,7 @@ def kelley_holds(claim, problem, costates, control=None, domain=None):
 def _arcs(problem, costates, control):
     arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
     if arcs.order is None:
-        raise RuntimeError("no derivative of dH/du holds the control")
+        raise UnsuitableData("problem: no derivative of dH/du holds the control")
     return arcs
 
 
@@ -265,5 +273,5 @@ def _same_states(values, angles):
 def _points(arcs, domain):
     points = arcs.points(domain)
     if len(points) < 3:
-        raise RuntimeError("no points of singular arcs were found")
+        raise UnsuitableData("domain: no points of singular arcs were found in it")
     return points

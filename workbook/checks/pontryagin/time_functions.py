@@ -6,6 +6,8 @@ A control is an expression, or a list of arcs [value, until]; motions and costat
 for each state.
 """
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
@@ -21,13 +23,15 @@ from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.formula_changes import FormulaChanges
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import no_number_text
-from workbook.checks.tools.wording import NO_NUMBER
+from workbook.checks.tools.wording import NO_NUMBER, process_part_text
 
 #: Relative tolerance of an answer without decimals: the accuracy of its integration.
 INTEGRATED = 1e-5
 #: The end of a process, as a fraction of its duration: a function may be defined only up to the end,
 #: which is known up to rounding.
 ENDING = 1 - 1e-9
+#: Arcs that are shorter than this, relative to the time at which they begin, have no length.
+NO_LENGTH = 1e-9
 
 
 class Motion(Claim):
@@ -161,6 +165,8 @@ class Steering:
         self._ends = [
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
+        #: Whether the ends of the arcs depend on parameters, for some of which arcs have no length.
+        self.ends_vary = any(until is not None and until.free_symbols for _, until in arcs)
         parts = [part for arc in arcs for part in arc if part is not None]
         variants = perturbed(*parts) if with_variants and in_decimals(*parts) else []
         #: Pairs of controls, in each pair one decimal is changed by its uncertainty.
@@ -179,23 +185,27 @@ class Steering:
         #: The largest relative uncertainty of a decimal.
         self.decimal_tolerance = relative_tolerance(*parts, computed=INTEGRATED)
 
-    def ends(self, values):
-        """Return the times at which the arcs end; None for a single expression."""
+    def ends(self, values, duration=np.inf):
+        """Return the times at which the arcs end, none after `duration`; None for a single expression.
+
+        For some parameters an arc may have no length.
+        """
         if self._ends == [None]:
             return None
-        ends = [
-            _real(
-                until(*(float(values[p]) for p in self.parameters)),
-                f"the end of your arc number {k}",
-            )
-            for k, until in enumerate(self._ends, 1)
-        ]
-        for begin, end in zip([0.0, *ends], ends):
-            if not end > begin:
+        ends = self._end_times(values, duration)
+        for begin, end in itertools.pairwise([0.0, *ends]):
+            if end < begin - NO_LENGTH * abs(begin):
                 raise Wrong(
-                    f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}"
+                    f"your arcs end at times that decrease: {end:.4g} comes after {begin:.4g}"
                 )
         return ends
+
+    def _end_times(self, values, duration):
+        numbers = [float(values[p]) for p in self.parameters]
+        return [
+            min(_real(until(*numbers), f"the end of your arc number {k}"), duration)
+            for k, until in enumerate(self._ends, 1)
+        ]
 
     def end_uncertainties(self, values):
         """Return the uncertainty, from decimals, of the time at which each arc ends."""
@@ -216,7 +226,7 @@ class Steering:
     def sections(self, values, duration):
         """Return triples (begin, end, function of an array of times) between the jumps.
 
-        They extend from 0 to the duration; arcs may end before.
+        They extend from 0 to the duration; arcs may end before. Arcs without length are left out.
         """
         numbers = [float(values[p]) for p in self.parameters]
 
@@ -232,7 +242,7 @@ class Steering:
                         )[0]
                 for t in times[np.isnan(claimed)]:
                     reason = no_number_text(expression, {self.time: t, **values})
-                    raise Wrong(f"your control at {self.time} = {t:.4g} is {reason}")
+                    raise Wrong(f"your control is {reason}, {process_part_text(t, duration)}")
                 return claimed
 
             return u
@@ -242,14 +252,26 @@ class Steering:
             breaks = jumps(u, duration)
             # The value at a jump itself does not matter, so it is taken a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
-        ends = self.ends(values)
+        ends = self._end_times(values, duration)
         return [
-            (begin, min(end, duration), smooth(value, expression))
+            (begin, end, smooth(value, expression))
             for begin, end, value, expression in zip(
                 [0.0, *ends], ends, self._values, self._expressions
             )
-            if begin < duration
+            if end > begin + NO_LENGTH * abs(begin)
         ]
+
+
+def values_of(sections, times):
+    """Return the values of a control, given by its sections, at instants."""
+    times = np.clip(times, sections[0][0], sections[-1][1])
+    values, remaining = np.empty(len(times)), np.ones(len(times), dtype=bool)
+    for begin, end, u in sections:
+        inside = remaining & (begin <= times) & (times <= end)
+        if inside.any():
+            values[inside] = u(times[inside])
+        remaining &= ~inside
+    return values
 
 
 def _arcs(parts, arcs):

@@ -17,7 +17,7 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Number
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
 from workbook.checks.tools.comparisons import SameValue
@@ -216,8 +216,8 @@ def switching_interval(claim, problem, parameters):
         for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
         for a, b in zip(best.breaks(), best.breaks()[1:])
     ]
-    if max(intervals) - min(intervals) > 1e-3 * max(intervals):
-        raise RuntimeError("the intervals between switchings differ")
+    if not intervals or max(intervals) - min(intervals) > 1e-3 * max(intervals):
+        raise UnsuitableData("problem: the intervals between switchings differ")
     if not _close(
         float(claim),
         float(np.mean(intervals)),
@@ -242,7 +242,7 @@ def isochrone_radius(claim, problem, duration, count):
         claimed = real_at(claim, {count: number})
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
         if max(radii) - min(radii) > 1e-3 * max(radii):
-            raise RuntimeError("this isochrone is no circle")
+            raise UnsuitableData("problem: this isochrone is no circle")
         if claimed is None or not _close(
             claimed,
             float(np.mean(radii)),

@@ -19,7 +19,7 @@ from workbook.checks.tools.values import number_at
 from workbook.checks.tools.wording import rounded_text
 
 
-@judged
+@judged(problem="pontryagin.Problem with any number of controls")
 def transversality(answer, problem, costates):
     """Check the transversality conditions at the end of the process, with lambda_0 = 1.
 

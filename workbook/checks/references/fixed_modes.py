@@ -35,14 +35,14 @@ def fixed_eigenvalues(pair):
 def slower_than(margin, pair):
     """Return whether for a sample a fixed eigenvalue has a real part above -margin.
 
-    Without a margin the real part must not be below zero.
+    For 0 the real part must not be below zero.
     """
     limit = ON_BORDER - float(margin) if margin else -ON_BORDER
     return any((values.real > limit).any() for values in fixed_eigenvalues(pair))
 
 
 def greatest_margin(pair):
-    """Return the greatest margin that a gain gives, exact, or None if there is no greatest one.
+    """Return the greatest degree of stability that a gain gives, exact, or None if there is no greatest one.
 
     The pair must not have parameters.
     """
@@ -59,7 +59,7 @@ def greatest_margin(pair):
 
 
 def common_margin(equation):
-    """Return the greatest margin of feedback by an estimate for one equation, a `Scalar`.
+    """Return the greatest degree of stability of feedback by an estimate for one equation, a `Scalar`.
 
     With v(d/dt) x = w(d/dt) u, z = m(d/dt) x a common root of v and w is uncontrollable, one of v and m
     unobservable.
@@ -93,7 +93,7 @@ def unobservable_eigenvalues_at(A, H, values):
 
 
 def margins_with_parameters(A, H, mu, parameters):
-    """Return the `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the margin mu.
+    """Return the `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the degree mu.
 
     It is a condition on mu and the parameters: by the PBH test, no eigenvalue u + i w with u > -mu at
     which the columns of u + i w - A above H are dependent.

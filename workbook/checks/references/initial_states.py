@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.invariant_subspaces import ONE, echelon, kernel, to_floats
 from workbook.checks.references.pairs import Pair
 from workbook.checks.tools.conditions import Case
@@ -66,7 +67,7 @@ class InitialStates(Pair):
     def __init__(self, A, H, L, parameters, selected=None):
         super().__init__(A, H, parameters)
         if L.rows != A.rows:
-            raise ValueError(f"starts of shape {L.shape} belong to no system of order {A.rows}")
+            raise UnsuitableData(f"starts of shape {L.shape} belong to no system of order {A.rows}")
         self.unknowns, self._selected = L.cols, selected
         self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
 
@@ -137,7 +138,7 @@ class InitialStates(Pair):
 def _fraction(entry):
     entry = sp.nsimplify(entry, rational=True)
     if not entry.is_Rational:
-        raise ValueError(f"a start has to be given by rational numbers, not by {entry}")
+        raise UnsuitableData(f"a start has to be given by rational numbers, not by {entry}")
     return ONE * int(entry.p) / int(entry.q)
 
 
@@ -150,7 +151,7 @@ def _functions(H, time):
         slopes.append(_split(functions[len(slopes)].diff(time), time))
         functions += [f for f in slopes[-1] if f not in functions]
         if len(functions) > MOST_FUNCTIONS:
-            raise ValueError(
+            raise UnsuitableData(
                 "H(t) has to consist of sines, cosines, exponentials and powers of the time"
             )
     rates = sp.Matrix(len(functions), len(functions), lambda i, j: slopes[i].get(functions[j], 0))

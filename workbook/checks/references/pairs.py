@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.invariant_subspaces import to_floats, unobservable_subspace
 from workbook.checks.tools.conditions import Case, ReferenceCondition, allowed
 from workbook.checks.tools.samples import cases, general_values, in_every_case
@@ -33,7 +34,7 @@ class Pair:
 
     def __init__(self, A, H, parameters):
         if A.rows != A.cols or H.cols != A.cols:
-            raise ValueError(f"matrices of the shapes {A.shape} and {H.shape} make no system")
+            raise UnsuitableData(f"matrices of the shapes {A.shape} and {H.shape} make no system")
         self.order, self.outputs, self.parameters = A.rows, H.rows, list(parameters)
         self.unknowns = self.order  # what is asked for is the whole state
         self._quotients = [[self._quotient(entry) for entry in matrix] for matrix in (A, H)]

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.fixed_modes import (
     ON_BORDER,
     fixed_eigenvalues,
@@ -92,7 +93,7 @@ def variance_and_rate(process):
     D = process.correlation.subs(process.delay, 0)
     a = sp.simplify(-process.correlation.diff(process.delay) / process.correlation)
     if a.has(process.delay):
-        raise ValueError(f"the correlation {process.correlation} is not a single exponential")
+        raise UnsuitableData(f"the correlation {process.correlation} is not a single exponential")
     return D, a
 
 

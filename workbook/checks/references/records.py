@@ -3,7 +3,9 @@
 import functools
 
 import sympy as sp
+from sympy.matrices.exceptions import NonInvertibleMatrixError
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.constant_unknowns import constants_of
 from workbook.checks.references.initial_states import initial_states_of, initial_states_of_varying
 from workbook.checks.references.pairs import pair_of
@@ -21,7 +23,7 @@ from workbook.systems import (
 @functools.singledispatch
 def observed_pair(system, parameters=()):
     """Return the `Pair` of a system with an output; its unknowns are those of an initial state."""
-    raise TypeError(
+    raise UnsuitableData(
         f"system: expected a record of a system with an output, got {type(system).__name__}"
     )
 
@@ -89,6 +91,8 @@ def row_of(system, *quantities, parameters=()):
     parameters alone.
     """
     if not isinstance(system, Deviations):
+        if not all(isinstance(row, sp.MatrixBase) for row in quantities):
+            raise UnsuitableData("quantities: expected rows of numbers for this system")
         return sp.Matrix.vstack(*quantities)
     rows = (
         sp.Matrix(quantities)
@@ -97,7 +101,7 @@ def row_of(system, *quantities, parameters=()):
         .applyfunc(sp.simplify)
     )
     if not rows.free_symbols <= set(parameters):
-        raise ValueError("the deviation equations are not constant")
+        raise UnsuitableData("the deviation equations are not constant")
     return rows
 
 
@@ -108,7 +112,7 @@ def has_control(system):
     else:
         control, output = bool(getattr(system, "B", ())), bool(system.H)
     if control == output:
-        raise TypeError("system: expected one with either a control or an output")
+        raise UnsuitableData("system: expected one with either a control or an output")
     return control
 
 
@@ -116,7 +120,10 @@ def _in_states(system):
     """Return a `Mechanical` system as the `Linear` one of (x, x'); others unchanged."""
     if not isinstance(system, Mechanical):
         return system
-    n, inverse = system.M.rows, system.M.inv(method="ADJ")
+    try:
+        n, inverse = system.M.rows, system.M.inv(method="ADJ")
+    except NonInvertibleMatrixError:
+        raise UnsuitableData("system: expected an M that has an inverse") from None
     A = (
         sp.zeros(n)
         .row_join(sp.eye(n))

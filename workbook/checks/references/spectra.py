@@ -22,7 +22,7 @@ SURE = 1e-3
 MOST_CACHED = 8192
 
 
-def compare_region(answer, system, parameters, description, margin=0, unstable=False):
+def compare_region(answer, system, parameters, description, degree=0, unstable=False):
     """Compare a claimed region with the stable polynomials, or the unstable ones.
 
     Parameters
@@ -35,14 +35,14 @@ def compare_region(answer, system, parameters, description, margin=0, unstable=F
         Its parameters.
     description : str
         The property, for the message.
-    margin : number
-        The border is where the largest real part is -margin; with a margin both sides are accepted.
+    degree : number
+        The border is where the largest real part is -degree; with a degree of stability both sides are accepted.
     unstable : bool
         Whether the region is that of unstable polynomials.
     """
     if isinstance(system, sp.MatrixBase):
         system = system.as_immutable()
-    spectrum = _spectrum(system, tuple(parameters), margin)
+    spectrum = _spectrum(system, tuple(parameters), degree)
     reference = spectrum.instability if unstable else spectrum.stability
 
     def message(values, holds):
@@ -77,9 +77,9 @@ def decays(A, discrete=False):
 
 
 @functools.lru_cache(maxsize=8)
-def _spectrum(system, parameters, margin):
+def _spectrum(system, parameters, degree):
     """Return the spectrum of data; many claims are compared with the same."""
-    return Spectrum(system, parameters, margin)
+    return Spectrum(system, parameters, degree)
 
 
 def _rational(matrix):
@@ -129,10 +129,10 @@ def _has_root_right(coefficients):
 
 
 class Spectrum:
-    """The characteristic polynomial with coefficients in the parameters, shifted by the margin."""
+    """The characteristic polynomial with coefficients in the parameters, shifted by the degree of stability."""
 
-    def __init__(self, system, parameters, margin):
-        self.parameters, self.margin = list(parameters), sp.nsimplify(margin)
+    def __init__(self, system, parameters, degree):
+        self.parameters, self.degree = list(parameters), sp.nsimplify(degree)
         if isinstance(system, sp.MatrixBase):
             system, entries = _rational(system)
             characteristic = system.charpoly()
@@ -140,7 +140,7 @@ class Spectrum:
         else:
             (symbol,) = system.free_symbols - set(parameters)
             polynomial = sp.sympify(system)
-        shifted = sp.Poly(sp.expand(polynomial.subs(symbol, symbol - self.margin)), symbol)
+        shifted = sp.Poly(sp.expand(polynomial.subs(symbol, symbol - self.degree)), symbol)
         self._terms = [sp.nsimplify(c, rational=True) for c in shifted.all_coeffs()]
         self.root = sp.symbols("u w", real=True, cls=sp.Dummy)
         # all claims are tried at like points
@@ -148,16 +148,16 @@ class Spectrum:
 
     @functools.cached_property
     def stability(self):
-        """The `ReferenceCondition` that all roots have real parts below -margin."""
+        """The `ReferenceCondition` that all roots have real parts below -degree."""
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
         return ReferenceCondition(
-            (Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable
+            (Case(stable),), (self.some_root_right if self.degree else unstable,), self.is_stable
         )
 
     @functools.cached_property
     def instability(self):
-        """The `ReferenceCondition` that some root has a real part above -margin."""
+        """The `ReferenceCondition` that some root has a real part above -degree."""
         return ReferenceCondition((self.some_root_right,), (self.no_root_right,), self.is_unstable)
 
     @property
@@ -243,7 +243,7 @@ class Spectrum:
     def is_stable(self, values):
         """Return whether all roots have negative real parts, by the exact Routh reduction.
 
-        None where the order drops, or on the border of a margin.
+        None where the order drops, or on the border of a degree of stability.
         """
         return self._stable_at(tuple(values[p] for p in self.parameters))
 
@@ -252,7 +252,7 @@ class Spectrum:
         current = self._coefficients(values)
         if current[0] == 0:
             return None
-        if self.margin and abs(self._largest(values)) < 1e-9:
+        if self.degree and abs(self._largest(values)) < 1e-9:
             return None
         return _is_hurwitz(current)
 
@@ -271,7 +271,7 @@ class Spectrum:
         return _has_root_right(rational) if len(rational) == len(current) else None
 
     def _largest(self, values):
-        """Return the largest real part of a root beyond the margin, relative to their size."""
+        """Return the largest real part of a root beyond the degree of stability, relative to their size."""
         roots = np.roots([float(c) for c in self._coefficients(values)])
         return max(roots.real) / (1 + max(abs(roots)))
 
@@ -279,14 +279,14 @@ class Spectrum:
         """Return a text on the largest real part of a root at values of the parameters."""
         try:
             largest = max(np.roots([float(c) for c in self._coefficients(values)]).real) - float(
-                self.margin
+                self.degree
             )
         except OverflowError:
             return "by Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
-        # without a margin Routh has decided.
+        # without a degree of stability Routh has decided.
         on_axis = abs(largest) < 1e-7 and (
-            self.margin or not (self.is_stable(values) or self.is_unstable(values))
+            self.degree or not (self.is_stable(values) or self.is_unstable(values))
         )
-        text = f"{largest:.4g}" if not on_axis else "0" if self.margin else "exactly 0"
+        text = f"{largest:.4g}" if not on_axis else "0" if self.degree else "exactly 0"
         return f"the largest real part of a root is {text}"

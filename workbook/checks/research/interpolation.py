@@ -48,7 +48,7 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
             values,
             abs(true) + max(map(abs, interpolant_values.values())),
         )
-    return f"the polynomial through the table gives the same at {SAMPLES} places"
+    return f"the polynomial through the table gives the same at {SAMPLES} points"
 
 
 @judged(Expression(lambda data: _parameters(data["quantity"], data["box"])))
@@ -63,8 +63,8 @@ def greatest_magnitude(claim, quantity, box):
         ]
         function = sp.lambdify([list(box)], sp.Abs(sp.sympify(quantity).subs(values)))
         true = _greatest(function, sides)
-        yield SameValue(claim, true, "the greatest magnitude in the box", values, true)
-    return "no magnitude in the box is greater, for random values of the symbols, and one is equal"
+        yield SameValue(claim, true, "the greatest absolute value", values, true)
+    return "no absolute value in the given intervals is greater, and one is equal, for random values of the symbols"
 
 
 def _parameters(quantity, box):

@@ -7,7 +7,7 @@ from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import judged
 from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.samples import in_every_case, random_values
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.wording import prefix_text
 
 
 @judged(Expressions("signal", "nuisance", length=lambda data: len(data["signal"][0])))
@@ -39,21 +39,21 @@ def invariant_weights(claims, signal, nuisance, functional):
         true = np.linalg.pinv(conditions) @ right
 
         def message(claimed, i, j):
-            weights, where = claimed[:, 0].real, rounded_text(values)
+            weights, where = claimed[:, 0].real, prefix_text(values)
             means, nuisance_factors = psi @ weights, theta @ weights
             slack = 1e-6 * np.abs(conditions) @ np.abs(weights)
             for k in np.flatnonzero(np.abs(means - functional_values) > slack[: len(psi)])[:1]:
                 return (
-                    f"for {where}, function {k + 1} of the signal comes out of your weights as "
+                    f"{where}function {k + 1} of the signal comes out of your weights as "
                     f"{means[k]:.4g}, not as it should: the estimate is biased"
                 )
             for k in np.flatnonzero(np.abs(nuisance_factors) > slack[len(psi) :])[:1]:
                 return (
-                    f"for {where}, function {k + 1} of the nuisance comes through your weights "
+                    f"{where}function {k + 1} of the nuisance comes through your weights "
                     f"with the factor {nuisance_factors[k]:.4g}"
                 )
             return (
-                f"for {where}, your weights are unbiased and ignore the nuisance, but their sum of "
+                f"{where}your weights are unbiased and ignore the nuisance, but their sum of "
                 f"squares {weights @ weights:.4g} is not the least"
             )
 

@@ -73,7 +73,7 @@ def worst_case_error(claim, system, unknowns, estimated, tau, delta):
             0,
             1e-7,
         )
-    return "no errors up to delta do worse, and some do as much, for random values of the symbols"
+    return "no errors up to delta give a greater error, and some give this one, for random values of the symbols"
 
 
 @judged

@@ -11,6 +11,7 @@ from workbook.checks.contract.claims import ConditionOn, Expression
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.equilibria import equilibria_of
 from workbook.checks.references.fields import Field
 from workbook.checks.stability.lyapunov import numeric, rate_of, unit_directions
 from workbook.checks.tools.conditions import (
@@ -230,7 +231,8 @@ def _sampled_systems(function, field, state, parameters, given):
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
         rate = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
-        equilibria = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
+        (points,) = equilibria_of(flow.expressions, state).points(np.zeros((0, 1)))
+        equilibria = [point for point in points if np.linalg.norm(point) > 1e-6]
         systems.append(
             (
                 values,

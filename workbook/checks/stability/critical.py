@@ -60,7 +60,7 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
             if not smallest <= 1e-9 * size:
                 raise Wrong(
                     f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda "
-                    f"E is invertible there, its smallest singular value is {smallest:.3g}"
+                    "I has an inverse there"
                 )
             if any(abs(number - previous) < SPREAD * size for previous in numbers[:k]):
                 raise Wrong(
@@ -105,9 +105,9 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
     values, matrix, reference = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
     message = (
-        "motions that start on the unit sphere are at distances from zero of up to "
-        f"{_distance(matrix, duration)} at first and up to {_distance(matrix, 100 * duration)} after "
-        f"{100 * duration:.3g} units of time{where_text(values)}"
+        "among the motions that start at distance one from zero, the farthest is at the distance "
+        f"{_distance(matrix, duration)} at t = {duration:.4g}, and {_distance(matrix, 100 * duration)} "
+        f"after a hundred times as long{where_text(values)}"
     )
     return (yield SameWord(claim, reference, message, "this does not agree with the motions: "))
 
@@ -124,8 +124,8 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
         return (
-            "there motions that start at distance 1 from zero are at distances of up to "
-            f"{_distance(matrix, duration)} after {duration:.3g} units of time"
+            "there, among the motions that start at distance one from zero, the farthest is at the "
+            f"distance {_distance(matrix, duration)} at t = {duration:.4g}"
         )
 
     reference = ReferenceCondition(at=lambda values: stability(at(values)) != "unstable")

@@ -15,9 +15,9 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
 from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
+from workbook.checks.references.equilibria import equilibria_of
 from workbook.checks.references.fields import cached_field
-from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import other_text, sample_text
@@ -191,8 +191,8 @@ def cycle_period(claim, radial, angular, radius, parameters):
 
     In one period the angle grows by 2 pi at the rate W.
     """
-    family = stationary_points_of([radial], [radius], parameters, _positive_domain(radius))
-    angular_rate = stationary_points_of([angular], [radius], parameters, _positive_domain(radius))
+    family = equilibria_of([radial], [radius], parameters, _positive_domain(radius))
+    angular_rate = equilibria_of([angular], [radius], parameters, _positive_domain(radius))
     for values, numbers, equilibrium in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
@@ -291,8 +291,8 @@ def _circles(flow, reach=20.0):
 
     grid = np.geomspace(0.013, reach, 400)
     if max(abs(rate(r)) / r for r in grid) < 1e-12:
-        raise RuntimeError(
-            "all circles around zero are closed orbits: none of them is a limit cycle"
+        raise UnsuitableData(
+            "field: all circles around zero are closed orbits, and none of them is a limit cycle"
         )
     candidates = _zeros(rate, grid) + _zeros(growth, grid)
     radii = []
@@ -324,7 +324,7 @@ def _circle(flow, radius):
     """Return the closed circular orbit of the given radius, or the only one."""
     circles = [c for c in _circles(flow) if radius is None or abs(c - float(radius)) < 1e-6 * c]
     if len(circles) != 1:
-        raise RuntimeError(f"expected one circular limit cycle, found {len(circles)}")
+        raise UnsuitableData(f"field: expected one circular limit cycle, found {len(circles)}")
     return circles[0]
 
 

@@ -1,6 +1,6 @@
 """Sets of equilibria of a second-order equation, decided for all parameter values.
 
-That a set of expressions names all stationary values x*, or all that are stable, and no others, is
+That a set of expressions names all equilibria x*, or all that are stable, and no others, is
 a condition on the parameters and one more number: it is a member exactly if the right-hand sides
 vanish there, and the linearisation is as required. Where the equation holds x in sines and
 cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
@@ -19,20 +19,20 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions import Case, ReferenceCondition, decide
 
 #: What the linearisation y'' = s y + r y' has to satisfy, by its coefficients s and r.
-KIND_CONDITIONS = {
-    "stationary": lambda slope, friction: sp.true,
+KINDS = {
+    None: lambda slope, friction: sp.true,
     "asymptotically stable": lambda slope, friction: sp.And(slope < 0, friction < 0),
     "unstable": lambda slope, friction: sp.Or(slope > 0, friction > 0),
 }
 
 
-def agreement(claims, integer, field, state, parameters, given, word):
-    """Return how it is known that `claims` are all equilibria of a kind in `KIND_CONDITIONS`.
+def agreement(claims, integer, field, state, parameters, given, kind):
+    """Return how it is known that `claims` are all equilibria of a kind in `KINDS`.
 
     Samples showed no difference. Raise `Wrong` where the decision finds one.
     """
     if not in_decimals(*claims) and len(state) == 2 and sp.sympify(field[0]) == state[1]:
-        membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), word)
+        membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), kind)
         if membership:
             number, member, elsewhere, right, wrong = membership
             reference = ReferenceCondition(
@@ -41,7 +41,7 @@ def agreement(claims, integer, field, state, parameters, given, word):
             )
             decided, point = decide(member, [*parameters, number], reference)
             if point:
-                values, holds = point
+                (values, holds), word = point, kind or "an equilibrium"
                 message = ", ".join(f"{p} = {values[p]}" for p in parameters)
                 raise Wrong(
                     f"for {message} your answer "
@@ -57,7 +57,7 @@ def agreement(claims, integer, field, state, parameters, given, word):
 
 
 @functools.lru_cache(maxsize=64)
-def _membership(claims, integer, acceleration, state, word):
+def _membership(claims, integer, acceleration, state, kind):
     """Return a symbol, and the conditions that it is claimed, no equilibrium, of the kind, or not.
 
     Return None where they cannot be written down.
@@ -101,13 +101,13 @@ def _membership(claims, integer, acceleration, state, word):
         for part in map(sp.expand_trig, (force_at_point, slope, friction))
     ):
         return None
-    kind = KIND_CONDITIONS[word](slope, friction)
+    is_kind = KINDS[kind](slope, friction)
     return (
         number,
         sp.Or(*members),
         sp.Ne(force_at_point, 0),
-        sp.And(sp.Eq(force_at_point, 0), kind),
-        sp.And(sp.Eq(force_at_point, 0), sp.Not(kind), sp.Ne(slope, 0)),
+        sp.And(sp.Eq(force_at_point, 0), is_kind),
+        sp.And(sp.Eq(force_at_point, 0), sp.Not(is_kind), sp.Ne(slope, 0)),
     )
 
 

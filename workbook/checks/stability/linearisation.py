@@ -1,4 +1,4 @@
-"""Linearisation at a stationary solution, and the stability that follows from it."""
+"""Linearisation at an equilibrium, and the stability that follows from it."""
 
 from dataclasses import dataclass
 
@@ -38,7 +38,7 @@ class Rates:
                 )
 
 
-@judged
+@judged(system="Deviations")
 def linearisation_unstable(answer, system, parameters):
     """Check the parameters for which a linearisation has an eigenvalue with positive real part.
 

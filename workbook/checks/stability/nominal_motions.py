@@ -77,7 +77,7 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
 def linearisation(claim, field, state, at, parameters=()):
     """Check the n x n matrix A of the deviation equations x' = A x + B w from the motion `at`.
 
-    The motion is a stationary point (n expressions) or a program.
+    The motion is an equilibrium (n expressions) or a program.
     """
     motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):

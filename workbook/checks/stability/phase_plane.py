@@ -13,8 +13,8 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.equilibria import equilibria_of
 from workbook.checks.references.exceptional_values import judge_factors
-from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.samples import random_columns
 from workbook.checks.tools.substitution import real_at
@@ -142,7 +142,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = stationary_points_of(field, state, parameters, domain)
+    family = equilibria_of(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(claim, with_points=False, count=5):
         scale = 0.0

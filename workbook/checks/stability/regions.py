@@ -15,29 +15,29 @@ from workbook.systems import Deviations
 
 
 @judged
-def stability_region(answer, system, parameters, margin=0):
-    """Check the parameters for which every root has real part below `-margin`.
+def stability_region(answer, system, parameters, degree=0):
+    """Check the parameters for which every root has real part below `-degree`.
 
-    For the margin 0 this is asymptotic stability.
+    For 0 this is asymptotic stability.
 
     `system` is a characteristic polynomial in one further symbol, a square matrix, a linear
     differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of
     another one, by their linearisation. Parameters where the order of the equation drops
-    are accepted either way; with a positive margin (Definition 1.5, Re <= -mu) so is the
+    are accepted either way; with a positive degree of stability (Definition 1.5, Re <= -mu) so is the
     boundary.
     """
     if isinstance(system, Deviations):
         return compare_region(
-            answer, matrix_of(system, parameters), parameters, "asymptotically stable", margin
+            answer, matrix_of(system, parameters), parameters, "asymptotically stable", degree
         )
-    property_text = "stable" if margin == 0 else "stable with the margin"
+    property_text = "stable" if degree == 0 else "stable with the degree of stability"
     motions = system.atoms(AppliedUndef)
     return compare_region(
         answer,
         characteristic_of(system, *motions) if motions else system,
         parameters,
         property_text,
-        margin,
+        degree,
     )
 
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
@@ -113,7 +113,7 @@ def chain_basis_matrix(claim, system, parameters=()):
     """
     pair = controlled_pair(system, parameters)
     if pair.outputs != 1 or any(pair.unobservable):
-        raise ValueError("b, A b, A^2 b, ... are no basis")
+        raise UnsuitableData("b, A b, A^2 b, ... are no basis")
     return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
 
 
@@ -130,7 +130,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
         )
     pair = observed_pair(system, parameters)
     if pair.outputs != 1:
-        raise ValueError("the canonical form belongs to one output")
+        raise UnsuitableData("the canonical form belongs to one output")
     for values, A, (h,), unobservable in pair.systems_for(claim):
         where, order = where_text(values), pair.order - len(unobservable)
         if claim.rows > order:
@@ -235,7 +235,7 @@ def _judge_change(claim, pair, row_names, by_rows):
     """
     n = pair.order
     if any(pair.unobservable):
-        raise ValueError("there is no canonical form: the system loses an eigenvalue")
+        raise UnsuitableData("there is no canonical form: the system loses an eigenvalue")
     for (values, A, (h,), _), (_, point, _) in zip(
         pair.systems_for(claim), pair.samples_for(claim)
     ):

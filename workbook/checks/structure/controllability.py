@@ -21,7 +21,7 @@ from workbook.checks.structure.unobservable_bases import (
 from workbook.systems import Mechanical
 
 
-@judged(YesNo())
+@judged(YesNo(), system="Linear or Mechanical")
 def controllable(claim, system, parameters=()):
     """Check whether the system is controllable.
 
@@ -32,7 +32,7 @@ def controllable(claim, system, parameters=()):
     return judge_yes_no(claim, controlled_pair(system, parameters), CONTROL)
 
 
-@judged
+@judged(system="Linear or Mechanical with controls")
 def controllable_parameters(answer, system, parameters):
     """Check the condition on the parameters under which the system is controllable.
 
@@ -48,7 +48,8 @@ def controllable_parameters(answer, system, parameters):
     Matrix(
         "parameters",
         shape=lambda data: (data["system"].A.rows, data["system"].A.rows * data["system"].B.cols),
-    )
+    ),
+    system="Linear with controls",
 )
 def controllability_matrix(claim, system, parameters=()):
     """Check the controllability matrix W = (B, A B, ..., A^(n-1) B) of Definition 2.4.
@@ -58,7 +59,7 @@ def controllability_matrix(claim, system, parameters=()):
     return judge_kalman(claim.T, controlled_pair(system, parameters), CONTROL)
 
 
-@judged(Vectors("parameters", size="system.unknowns"))
+@judged(Vectors("parameters", size="system.unknowns"), system="Linear or Mechanical with controls")
 def uncontrollable_combinations(claim, system, parameters=()):
     """Check a basis of the rows w whose combinations w x no control changes.
 
@@ -70,7 +71,7 @@ def uncontrollable_combinations(claim, system, parameters=()):
     return judge_basis(claim, controlled_pair(system, parameters), CONTROL)
 
 
-@judged(bases_by_value(CONTROL))
+@judged(bases_by_value(CONTROL), system="Linear or Mechanical with controls")
 def uncontrollable_combinations_at(claim, system, parameter):
     """Check the parameter values without controllability, as {value: basis of the rows w}.
 

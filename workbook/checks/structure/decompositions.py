@@ -196,8 +196,8 @@ def _judge_split(claim, pair, side):
             )
         new_A, new_H = claimed @ A @ np.linalg.inv(claimed), H @ np.linalg.inv(claimed)
         raise Wrong(
-            f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
-            f"coordinates as {side.size} gives"
+            f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; the number of "
+            f"coordinates of xi is {side.size}"
         )
     judge_everywhere(
         claim,

@@ -23,7 +23,7 @@ from workbook.checks.references.invariant_subspaces import (
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.values import numbers_at, uncertainty_at
-from workbook.checks.tools.wording import number_text, values_text, where_text
+from workbook.checks.tools.wording import number_text, values_text, where_text, with_article
 
 
 def _output_shows(k, order, number, value):
@@ -231,7 +231,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
             number = number_text(entry[1])
             if any(matches(entry, eigenvalue, 1e-7) for eigenvalue in eigenvalues):
                 return (
-                    f"{number} is {_a(side.spectrum)}{where}, but the rank of {side.pencil} does "
+                    f"{number} is {with_article(side.spectrum)}{where}, but the rank of {side.pencil} does "
                     f"not fall there: there is no {side.vector}"
                 )
             return (
@@ -252,7 +252,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
     evidence = f": {roots_evidence(claims, *equation)}" if equation else ""
     if not claims:
         return f"the rank of {side.pencil} is full at every {side.spectrum}{evidence}"
-    return f"at each of them there is {_a(side.vector)}, and at no other {side.spectrum}{evidence}"
+    return f"at each of them there is {with_article(side.vector)}, and at no other {side.spectrum}{evidence}"
 
 
 def roots_evidence(claims, symbol, polynomial):
@@ -275,8 +275,4 @@ def roots_evidence(claims, symbol, polynomial):
 
 def existence_text(count, side):
     """Return a text on whether the subspace is zero; its dimension is for the student to find."""
-    return f"there is {_a(side.free)}" if count else side.none_free
-
-
-def _a(noun):
-    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+    return f"there is {with_article(side.free)}" if count else side.none_free

@@ -11,7 +11,7 @@ from workbook.checks.structure.mechanical import CONTROL_PENCIL, OUTPUT_PENCIL, 
 from workbook.systems import Mechanical
 
 
-@judged(EIGENVALUES)
+@judged(EIGENVALUES, system="Linear, Process or Mechanical")
 def fixed_eigenvalues(claim, system, parameters=()):
     """Check the different eigenvalues that are unobservable or, with a control, uncontrollable.
 

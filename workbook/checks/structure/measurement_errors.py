@@ -23,7 +23,7 @@ from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturb
 from workbook.checks.tools.wording import number_text, where_text
 
 
-@judged
+@judged(system="WithError")
 def augmented_system(answer, system, parameters=(), own=False):
     """Check the system [A', H'] of x together with coordinates of the measurement error.
 
@@ -91,7 +91,7 @@ def augmented_system(answer, system, parameters=(), own=False):
     )
 
 
-@judged(Expression("outputs", "time"))
+@judged(Expression("outputs", "time"), system="WithError")
 def amplitude_from_output(claim, system, outputs, time):
     """Check C as an expression in z, its derivatives at one instant and the time.
 
@@ -154,8 +154,8 @@ def _compare_errors(S, c, uncertainties, derivatives, where):
     )
     if size > order:
         raise Wrong(
-            f"your error has {size} coordinates, but fewer are enough for a linear equation of its "
-            f"own{where}; what is superfluous could not be observed, and would not matter"
+            f"your error has {size} coordinates, but it satisfies a linear equation of lower "
+            f"order{where}; fewer coordinates are enough"
         )
     rate = max(1.0, np.linalg.norm(S, 2))
     weights = np.repeat(rate ** -np.arange(count, dtype=float), len(c))

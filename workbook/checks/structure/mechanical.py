@@ -16,7 +16,7 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.verdict import judged
+from workbook.checks.contract.verdict import UnsuitableData, judged
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
@@ -56,7 +56,7 @@ ROOTS_PENCIL = dataclasses.replace(
 )
 
 
-@judged(EIGENVALUES)
+@judged(EIGENVALUES, system="Mechanical")
 def mechanical_eigenvalues(claim, system, parameters=()):
     """Check the different roots of det(M lambda^2 + D lambda + K), also complex ones.
 
@@ -112,7 +112,7 @@ def _polynomials(system):
         for chosen in itertools.combinations(range(rows.rows), rows.cols)
     ]
     if minors[0].is_zero:
-        raise ValueError(
+        raise UnsuitableData(
             "det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a "
             "motion"
         )

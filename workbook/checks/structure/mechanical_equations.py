@@ -11,7 +11,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, Parts
 from workbook.checks.contract.tolerance import EXACT
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.samples import general_values, in_every_case
@@ -29,10 +29,13 @@ def _like(name):
         _like("K"),
         _like("L"),
         expected="a list of three matrices, [M, K, L] of M q'' + K q = L u",
-    )
+    ),
+    system="Mechanical",
 )
 def mechanical_equations(claim, system, parameters=()):
     """Check the matrices [M, K, L] of the equations M q'' + K q = L u of a `Mechanical` system."""
+    if system.M.det().is_zero:
+        raise UnsuitableData("system: expected an M that has an inverse")
     for values in in_every_case(general_values(parameters), claim):
         mass, *claimed = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:

@@ -19,7 +19,7 @@ from workbook.checks.structure.unobservable_bases import (
 from workbook.systems import Mechanical
 
 
-@judged(YesNo())
+@judged(YesNo(), system="Linear, WithError, Varying, Process, Mechanical or Measurements")
 def observable(claim, system, parameters=()):
     """Check whether z determines every initial state.
 
@@ -31,7 +31,7 @@ def observable(claim, system, parameters=()):
     return judge_yes_no(claim, observed_pair(system, parameters), words(system))
 
 
-@judged
+@judged(system="Linear, WithError, Varying, Process, Mechanical or Measurements with outputs")
 def observable_parameters(answer, system, parameters, part=None):
     """Check the condition on the parameters under which the system is observable.
 
@@ -50,7 +50,7 @@ def observable_parameters(answer, system, parameters, part=None):
     return judge_region(answer, pair, words(system, part))
 
 
-@judged
+@judged(system="Linear, WithError, Varying, Process, Mechanical or Measurements with outputs")
 def unobservable_parameters(answer, system, parameters):
     """Check the condition on the parameters under which the system is not observable.
 
@@ -59,7 +59,10 @@ def unobservable_parameters(answer, system, parameters):
     return judge_region(answer, observed_pair(system, parameters), words(system), holds=False)
 
 
-@judged(Vectors("parameters", size="system.unknowns", names="start"))
+@judged(
+    Vectors("parameters", size="system.unknowns", names="start"),
+    system="Linear, WithError, Varying, Process, Mechanical or Measurements",
+)
 def unobservable_states(claim, system, parameters=(), start=()):
     """Check a basis of the initial states whose motions give z = 0 for all time.
 
@@ -73,7 +76,7 @@ def unobservable_states(claim, system, parameters=(), start=()):
     return judge_basis(claim, observed_pair(system, parameters), words(system))
 
 
-@judged(bases_by_value(OUTPUT))
+@judged(bases_by_value(OUTPUT), system="Linear, WithError, Varying or Mechanical")
 def unobservable_states_at(claim, system, parameter):
     """Check the parameter values without observability, as {value: basis of initial states}.
 

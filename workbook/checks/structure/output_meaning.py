@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from workbook.checks.contract.claims import Choice
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.references.records import matrix_of, row_of
 
 
@@ -28,7 +28,7 @@ def measured_quantity(claim, system, known, quantities):
     A, H = system.A, system.H
     measured = _equation(A, H)
     if list(equations.values()).count(measured) != 1:
-        raise RuntimeError("the equations do not tell the quantities apart")
+        raise UnsuitableData("quantities: the equations do not tell them apart")
     if equations[claim] != measured:
         raise Wrong(
             f"the {claim} satisfies the linear equation {_text(equations[claim])} and none of "

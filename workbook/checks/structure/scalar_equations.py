@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.records import controlled_pair, observed_pair
 from workbook.checks.tools.samples import general_values, in_every_case
@@ -26,7 +26,7 @@ from workbook.checks.tools.wording import number_text, where_text
 LARGEST_ORDER = 12
 
 
-@judged
+@judged(system="Linear with controls")
 def scalar_equation(answer, system, motion, control, parameters=()):
     """Check the equation of order n between the control and y.
 
@@ -49,7 +49,7 @@ def scalar_equation(answer, system, motion, control, parameters=()):
     )
 
 
-@judged(Expressions("parameters", length="system.A"))
+@judged(Expressions("parameters", length="system.A"), system="Linear with controls")
 def canonical_coordinate(claim, system, parameters=()):
     """Check the row c for which y = c x is the first coordinate of the canonical form (2.4).
 
@@ -160,7 +160,7 @@ class _LinearEquation:
             rows.append(rows[-1] * A)
         observability = sp.Matrix.vstack(*rows[:n])
         if observability.det() == 0:
-            raise ValueError("y does not determine the state: its equation is not the system")
+            raise UnsuitableData("y does not determine the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(
             n + 1, highest + 1, lambda k, j: (rows[k - 1 - j] * b)[0] if j < k else 0
@@ -348,7 +348,7 @@ def _first_coordinate(A, b):
         columns.append(A * columns[-1])
     W = sp.Matrix.hstack(*columns)
     if W.det() == 0:
-        raise ValueError("there is no canonical form: the control does not reach every state")
+        raise UnsuitableData("there is no canonical form: the control does not reach every state")
     return W.T.LUsolve(sp.Matrix([0] * (A.rows - 1) + [1])).T
 
 

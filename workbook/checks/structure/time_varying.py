@@ -18,7 +18,7 @@ from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import number_text, prefix_text, rounded_text, tried_text
 
 
-@judged(Expression("time", "start", "parameters"))
+@judged(Expression("time", "start", "parameters"), system="Linear or Varying with outputs")
 def measured_output(claim, system, start, time, parameters=()):
     """Check the output z(t) along the motion from an initial state.
 
@@ -37,7 +37,7 @@ def measured_output(claim, system, start, time, parameters=()):
     return f"it is what is measured{tried_text(parameters, 'initial states', 'times')}"
 
 
-@judged(Matrix("system.time", "parameters", shape="system.A"))
+@judged(Matrix("system.time", "parameters", shape="system.A"), system="Varying")
 def observability_matrix(claim, system, parameters):
     """Check the n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ...
 
@@ -78,7 +78,7 @@ def observability_matrix(claim, system, parameters):
     return f"the rows times x are z and its derivatives{tried_text(parameters, 'times')}"
 
 
-@judged(Matrix("parameters", shape="system.A"))
+@judged(Matrix("parameters", shape="system.A"), system="Varying")
 def output_gramian(claim, system, duration, parameters):
     """Check the n x n matrix G with x(0)^T G x(0) = integral of z^2 over 0 <= t <= `duration`.
 
@@ -106,7 +106,7 @@ def output_gramian(claim, system, duration, parameters):
     return f"the entries are the integrals{tried_text(parameters)}"
 
 
-@judged(Expression("system.time", "parameters"))
+@judged(Expression("system.time", "parameters"), system="Varying")
 def frozen_determinant(claim, system, parameters):
     """Check the determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one instant.
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Number, Table, Vectors
 from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tolerance, rounds_to
-from workbook.checks.contract.verdict import Wrong
+from workbook.checks.contract.verdict import UnsuitableData, Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
 from workbook.checks.references.pairs import point_of, special_values
@@ -125,7 +125,9 @@ def judge_exceptional_bases(claim, pair, side, at_value):
             f"at {parameter} = {sp.N(value, 4) if value.has(sp.Float) else value} {side.none_free}"
         ),
         lambda *_: f"the system is {side.fails} at a value that your answer does not name",
-        lambda value: f"the value {parameter} = {value} comes twice",
+        lambda value: (
+            f"the value {parameter} = {sp.N(value, 4) if value.has(sp.Float) else value} is listed twice"
+        ),
     )
     for value, (_, basis) in zip(named, claim):
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
@@ -138,7 +140,7 @@ def judge_exceptional_bases(claim, pair, side, at_value):
 def _exceptional_values(pair, parameter):
     """Return the exceptional values, SymPy rationals."""
     if all(pair.unobservable):
-        raise ValueError("there are unobservable states for all values in general position")
+        raise UnsuitableData("there are unobservable states for all values in general position")
     values = special_values(pair.boundaries, parameter)
     real = {
         root
@@ -151,7 +153,7 @@ def _exceptional_values(pair, parameter):
         for root in real
         if allowed(parameter, 1 if root > 0 else -1)
     ):
-        raise ValueError("there are unobservable states at an irrational value")
+        raise UnsuitableData("there are unobservable states at an irrational value")
     return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import sympy as sp
 from sympy.core.relational import Relational
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.tools.conditions import Condition, allowed
 from workbook.checks.tools.domains import interval_of, random_value
 from workbook.checks.tools.substitution import substituted
@@ -119,11 +120,11 @@ def allowed_values(parameters, domain, count):
     -------
     list of dict
     """
-    return (
-        [dict(values) for values in _allowed(tuple(parameters), conjunction(domain), count)]
-        if parameters
-        else [{}]
-    )
+    if parameters:
+        return [dict(values) for values in _allowed(tuple(parameters), conjunction(domain), count)]
+    if conjunction(domain) == sp.false:
+        raise UnsuitableData("what is given, or what the quantity needs to exist, does not hold")
+    return [{}]
 
 
 @functools.lru_cache(maxsize=64)
@@ -142,7 +143,7 @@ def _allowed(parameters, domain, count):
         if len(allowed) >= count:
             break
     else:
-        raise RuntimeError("no values of the parameters were found that satisfy what is given")
+        raise UnsuitableData("no values of the parameters were found that satisfy what is given")
     return allowed[:count]
 
 

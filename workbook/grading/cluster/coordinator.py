@@ -17,9 +17,9 @@ from urllib.parse import urlsplit
 
 from workbook.grading.cluster import dask_worker
 from workbook.grading.cluster.connection import ClusterError, connected, innermost_cause, security
-from workbook.grading.pool.grader import to_plain
+from workbook.grading.pool.grader import Task, to_plain
 from workbook.grading.pool.judging import grader_failure
-from workbook.grading.sandbox.isolation import SandboxUnavailableError
+from workbook.grading.sandbox.limits import SandboxUnavailableError
 
 #: How often a notebook is begun at which processes end, before it is left to the next run.
 MAX_TRIES = 3
@@ -65,7 +65,7 @@ class Cluster:
         """
         tasks = list(tasks)
         library = dask_worker.library_versions(
-            sorted({name for t in tasks for name in (t["problem"], *t.get("other variants", ()))})
+            sorted({name for t in tasks for name in (t.problem, *t.other_variants)})
         )
         try:
             with connected(self) as client:
@@ -88,7 +88,7 @@ class _Call:
 
     future: object
     address: str
-    task: dict | None
+    task: Task | None
 
 
 class _Run:
@@ -113,8 +113,8 @@ class _Run:
             yield from self._finished_tasks()
             while self._given_up:
                 task = self._given_up.popleft()
-                failure = grader_failure(task["names"], "one of its processes ended")
-                yield task["key"], to_plain(failure)
+                failure = grader_failure(task.names, "one of its processes ended")
+                yield task.key, to_plain(failure)
 
     def end(self):
         """End all calls, also during a notebook."""
@@ -196,7 +196,7 @@ class _Run:
         """Return the first task for a worker: not one that failed on it, unless on all others."""
         for k, task in enumerate(self._waiting):
             if (
-                not (failed_on := self._failed_on.get(task["key"], set()))
+                not (failed_on := self._failed_on.get(task.key, set()))
                 or address not in failed_on
                 or self._ready <= failed_on
             ):
@@ -209,15 +209,7 @@ class _Run:
             self._settings | {"workers": self._threads_on_host[_host(address)]}
         ).encode()
         # Neither names nor anything else of the student's: the code of the notebook alone.
-        arguments = (
-            ()
-            if task is None
-            else (
-                json.dumps(
-                    {part: task[part] for part in ("problem", "direction", "sources")}
-                ).encode(),
-            )
-        )
+        arguments = () if task is None else (task.to_json(),)
         future = self._client.submit(
             function,
             settings,
@@ -255,7 +247,7 @@ class _Run:
         elif call.task is None:
             self._ready.add(call.address)
         elif "result" in reply:
-            yield call.task["key"], reply["result"] | {"limits": reply["limits"]}
+            yield call.task.key, reply["result"] | {"limits": reply["limits"]}
         else:
             self._retry(call)
 
@@ -284,7 +276,7 @@ class _Run:
 
     def _retry(self, call):
         """Let the task of a process that ended wait again; after `MAX_TRIES`, give it up."""
-        key = call.task["key"]
+        key = call.task.key
         self._failures[key] += 1
         self._failed_on.setdefault(key, set()).add(call.address)
         if self._failures[key] < MAX_TRIES:

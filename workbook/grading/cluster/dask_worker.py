@@ -22,11 +22,8 @@ from importlib import metadata
 from workbook.grading.pool import grader, worker_pool
 from workbook.grading.pool.fingerprint import fingerprint
 from workbook.grading.sandbox.forkserver import Forkserver
-from workbook.grading.sandbox.isolation import (
-    ProcessStartError,
-    SandboxUnavailableError,
-    visible_parent,
-)
+from workbook.grading.sandbox.isolation import visible_parent
+from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure
 
@@ -75,7 +72,7 @@ def grade(settings, task):
         worker = _thread_worker(settings)
     except (UnfitWorkerError, SandboxUnavailableError) as error:
         return _refusal(error)
-    result = worker.graded(json.loads(task))
+    result = worker.graded(task)
     if result is None:
         worker.stop()
     return json.dumps(
@@ -117,9 +114,10 @@ def print_library_versions():
 
 
 _thread_local = threading.local()
-_all, _lock = set(), threading.Lock()
+_all: set = set()
+_lock = threading.Lock()
 #: Runs that have ended: a worker process of theirs that is still starting must not stay.
-_ended_runs = set()
+_ended_runs: set = set()
 
 
 def _workbook_hash():

@@ -13,10 +13,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.encodings import decoded
 from workbook.grading.sandbox.submitted_file import MAX_FILE, UnreadableFileError
 
 #: Flags of an entry in a .zip archive.
 ENCRYPTED_FLAG, UTF_8_FLAG = 0x1, 0x800
+#: The kind of a field with a name in UTF-8 and a checksum of the name that it stands for.
+UNICODE_PATH = 0x7075
+#: Encodings in which Windows writes names of files into archives, where it is Russian.
+WINDOWS_ENCODINGS = ["cp866", "cp1251"]
 #: What `zipfile` raises on an archive or an entry that is damaged.
 DAMAGE = (
     zipfile.BadZipFile,
@@ -115,10 +120,11 @@ def _in_folder(path, folder, size):
 
 def _files(archive):
     """Return the files of an open archive, except those that macOS adds."""
+    entries = [entry for entry in archive.infolist() if not entry.is_dir()]
     return [
         File(name, entry.file_size, lambda entry=entry: _content(archive, entry))
-        for entry in archive.infolist()
-        if not entry.is_dir() and not (name := _name(entry)).startswith("__MACOSX/")
+        for entry, name in zip(entries, _names(entries))
+        if not name.startswith("__MACOSX/")
     ]
 
 
@@ -133,13 +139,35 @@ def _content(archive, entry):
         raise UnreadableFileError(f"it is damaged ({error})") from None
 
 
-def _name(entry):
-    """Return an entry's name, which macOS and Linux write in UTF-8 without setting the flag."""
-    try:
-        return (
-            entry.filename
-            if entry.flag_bits & UTF_8_FLAG
-            else entry.filename.encode("cp437").decode()
-        )
-    except UnicodeError:
+def _names(entries):
+    """Return the names of entries.
+
+    Where neither a flag nor a field says that they are in UTF-8, `zipfile` reads them in the first
+    encoding that archives had; macOS and Linux write UTF-8 all the same, Windows its own encodings.
+    """
+    known = [_name_in_utf_8(entry) for entry in entries]
+    others = [_name_as_bytes(entry) for entry, name in zip(entries, known) if name is None]
+    _, encoding = decoded(b"\n".join(others), ["utf-8", *WINDOWS_ENCODINGS])
+    return [
+        decoded(_name_as_bytes(entry), [encoding or "utf-8"])[0] or entry.filename
+        if name is None
+        else name
+        for entry, name in zip(entries, known)
+    ]
+
+
+def _name_in_utf_8(entry):
+    """Return the name of an entry that says itself that it is in UTF-8, else None."""
+    if entry.flag_bits & UTF_8_FLAG:
         return entry.filename
+    extra = entry.extra
+    while len(extra) > 9:
+        kind, length, _, checksum = struct.unpack_from("<HHBL", extra)
+        if kind == UNICODE_PATH and checksum == zlib.crc32(_name_as_bytes(entry)):
+            return decoded(extra[9 : 4 + length], ["utf-8"])[0] or None
+        extra = extra[4 + length :]
+    return None
+
+
+def _name_as_bytes(entry):
+    return entry.orig_filename.partition("\0")[0].encode("cp437")

@@ -6,6 +6,9 @@ It is one file, `assignment.toml`:
     problems = ["1.4", "1.15"]
     pool = ["3.3", "3.4", "3.10"]       # optional: each student gets one of these, by numbers.csv
     due = 2026-10-01T23:59:00+03:00     # optional; later work is marked late
+    zone = "Europe/Moscow"              # optional: of times without a zone, as in Moodle's worksheet;
+                                        # by default that of due
+    grace_days = 3                      # optional: days of the course that lateness costs nothing
     attempt = "best"                    # or "last": which of several submissions counts
     attempts = 3                        # optional; further ones are kept but do not count
     direction = false                   # or true: whether messages say "greater" or "less" of a number
@@ -30,6 +33,11 @@ It is one file, `assignment.toml`:
     cutoff_days = 7                     # optional: later work has no points
     # steps = [[7, 0.8], [14, 0.5]]     # in place of per_day: the share kept until so many days
 
+    [budget]                            # optional: what one student's notebooks may use together
+    notebooks = 500
+    megabytes = 400
+    cpu_minutes = 20
+
     [labels]                            # optional: groups of students
     "extended time" = ["bob@uni.example", "cid@uni.example"]
 
@@ -43,12 +51,12 @@ It is one file, `assignment.toml`:
 
 import re
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from workbook.grading.course import policy as policies
 from workbook.grading.course.policy import Policy
-from workbook.grading.sandbox.sanitising import normalise_name
+from workbook.grading.sandbox.sanitising import normalise_name, portable_name
 from workbook.notebooks import exercises
 
 #: Files in the folder of results, beside a folder for each homework: no homework has such a name.
@@ -139,6 +147,12 @@ class Assignment:
         """The due date of the class, or None."""
         return self.policy.due
 
+    @property
+    def automatic(self):
+        """The homework without what a lecturer grades by hand."""
+        points = {problem: self.points[problem] for problem in self.problems}
+        return replace(self, points=points, by_hand={})
+
     def points_of(self, student):
         """Return the points of the answers that are asked of a student.
 
@@ -226,7 +240,7 @@ def read(path):
 
 def files(folder):
     """Return {homework: its file} of all in a folder, which may be None."""
-    paths = sorted(Path(folder).glob("*/assignment.toml")) if folder is not None else ()
+    paths = sorted(Path(folder).glob("[!.]*/assignment.toml")) if folder is not None else ()
     return {normalise_name(path.parent.name): path for path in paths}
 
 
@@ -236,6 +250,7 @@ def can_be_name(name):
         bool(re.fullmatch(r"\w([\w .-]*\w)?", name))
         and len(name.encode()) <= 200
         and name not in RESERVED_NAMES
+        and name == portable_name(name)
     )
 
 

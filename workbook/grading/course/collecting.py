@@ -5,25 +5,32 @@ Moodle names a folder for each student, or without folders begins each file,
 `ableann_LATE_12345_67890_`, or `anon_Ab3de_67890_` where it hides names; 12345 is the student. What
 stands after that is the student's own and decides nothing. Every file is copied, not only
 notebooks, since it is a student's work, and the notebooks of a .zip archive beside it; files that
-exist are never overwritten. Who handed in what, and when, is noted in the ledger.
+exist are never overwritten. Who handed in what, and when, is noted in the ledger. All of it is one
+transaction.
 """
 
 import os
 import re
 import time
+from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from unicodedata import normalize
 
-from workbook.grading.course import archives, worksheet
+from workbook.grading.course import archives, ledger, worksheet
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.ledger import UNKNOWN, Entry, Ledger
-from workbook.grading.sandbox.sanitising import sanitise, sanitise_name
+from workbook.grading.course.transaction import transaction
+from workbook.grading.sandbox.sanitising import portable_name, sanitise, sanitise_name
 from workbook.grading.sandbox.submitted_file import MAX_FILE, UnreadableFileError
 
 #: Bytes of a name; the number that a second file of the same name gets still fits.
 MAX_NAME = 240
+#: Characters of a name in a download, with what the system writes before it.
+MAX_PART = 1000
+#: Bytes that one student's files in a download have in all, those in archives too.
+MAX_STUDENT = 400 * 2**20
 #: Moodle replaces each _ in a name, so its own marker is the first one.
 MOODLE = re.compile(
     r"(?P<name>.+?)_(?P<number>\d+)_assignsubmission_(?P<plugin>[a-z0-9]+)(?P<rest>.*)", re.DOTALL
@@ -39,6 +46,7 @@ CANVAS_TEXT = re.compile(
 )
 NO_NAME = "its name is not one that Moodle or Canvas gives"
 TYPED_IN = "this is text typed in at Moodle or Canvas, not a file: only a lecturer can grade it"
+TOO_LONG = "its name is too long"
 TOO_DEEP = "it lies deeper than the names that Moodle or Canvas gives: who packed it named it"
 
 
@@ -55,7 +63,7 @@ class Collected:
     absent : list of str
         Participants in the worksheet who handed in nothing.
     untimed : int
-        Of how many files the system does not say when they were handed in.
+        Of how many files no download so far says when they were handed in.
     """
 
     files: dict = field(default_factory=dict)
@@ -69,7 +77,6 @@ class Collected:
             self.aside.append((entry.source, entry.trouble))
             return
         self.files.setdefault(entry.student, []).append(entry.file)
-        self.untimed += entry.timing == UNKNOWN
 
 
 @dataclass(frozen=True)
@@ -88,7 +95,7 @@ class _Owner:
     level: int = 0
 
 
-def collect(download, homework, into, grading_worksheet=None, roster=None):
+def collect(download, homework, into, grading_worksheet=None, roster=None, zone=None):
     """Copy the files of a download to `into`/STUDENT/`homework`, and note them in the ledger.
 
     A student of Canvas is named by the number that Canvas's gradebook has as "ID"; one of Moodle
@@ -106,6 +113,8 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
         Moodle's grading worksheet of the same assignment.
     roster : Roster, optional
         The class, by which a file name of Canvas is understood that can be read in two ways.
+    zone : datetime.tzinfo, optional
+        The time zone of the times in the worksheet; by default this computer's.
 
     Returns
     -------
@@ -122,10 +131,8 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
             f"{homework!r} cannot be the name of a homework: take letters, digits, - and _"
         )
     homework = normalize("NFC", homework)
-    participants = worksheet.read(grading_worksheet) if grading_worksheet is not None else {}
-    people = _people(roster)
-    ledger, result = Ledger(into), Collected()
-    earlier = [entry for entry in ledger.entries(homework) if entry.number]
+    participants = worksheet.read(grading_worksheet, zone) if grading_worksheet is not None else {}
+    people, result = _people(roster), Collected()
     with archives.opened(download) as files:
         owned_files, result.aside = _by_owner(files, people)
         if not owned_files:
@@ -138,12 +145,15 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
                 f"{grading_worksheet} is of another assignment: it has none of the participants in "
                 f"{download}"
             )
-        refused = _with_two_names(owned_files, earlier)
-        students = _students(owned_files, participants, earlier)
-        blank = Entry(
-            homework, "", archive=sanitise_name(Path(download).name), collected=time.time()
-        )
-        try:
+        with transaction(into, ledger.NAME) as current:
+            entries = Ledger(into)
+            earlier = [entry for entry in entries.entries(homework) if entry.number]
+            refused = _with_two_names(owned_files, participants, earlier)
+            students = _students(owned_files, participants, earlier)
+            # Later than all before it, for its time tells what was collected, and handed in, at once.
+            now = max([time.time(), *(entry.collected + 1 for entry in earlier)])
+            sizes = Counter()  # by student
+            blank = Entry(homework, "", archive=sanitise_name(Path(download).name), collected=now)
             for file, owner in owned_files:
                 if owner.number in refused:
                     result.aside.append((sanitise_name(file.path), refused[owner.number]))
@@ -158,18 +168,21 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
                 )
                 if owner.number in participants:
                     entry = replace(entry, submitted=participants[owner.number].submitted)
-                for noted in _copied(Path(into), file, owner, entry):
-                    ledger.add(noted)
+                for noted in _copied(current, file, owner, entry, sizes):
+                    entries.add(noted)
                     result.count(noted)
             for number, participant in participants.items():
                 if number not in numbers:
                     student = students[number]
-                    ledger.add(
+                    entries.add(
                         replace(blank, student=student, number=number, name=participant.name)
                     )
-        finally:
-            ledger.write()
-    result.absent = sorted(ledger.absent(homework))
+            current.record(entries.text())
+    result.absent = sorted(entries.absent(homework))
+    timed = {(e.student, e.file) for e in entries.entries(homework) if e.timing != UNKNOWN}
+    result.untimed = sum(
+        (student, file) not in timed for student, files in result.files.items() for file in files
+    )
     return result
 
 
@@ -214,6 +227,8 @@ def _owner(path, people):
     *folders, last = path.split("/")
     if last.startswith("."):  # also ".."
         return NO_NAME
+    if max(map(len, [*folders, last])) > MAX_PART:
+        return TOO_LONG
     for level, folder in enumerate(folders):
         if match := MOODLE.fullmatch(folder):
             return _at(level, _of_moodle(match, last))
@@ -264,7 +279,7 @@ def _as_in_canvas(name):
 
 def _safe(name):
     """Return a name as that of a folder, which is not hidden and holds nothing unprintable."""
-    name = normalize("NFC", name).lstrip(".")
+    name = portable_name(normalize("NFC", name).lstrip("."))
     return "".join(c if sanitise(c) == c and c not in "/\\" else "_" for c in name)
 
 
@@ -285,28 +300,41 @@ def _students(owned_files, participants, earlier):
     )
 
 
-def _with_two_names(owned_files, earlier):
-    """Return {number: why it is refused} for numbers that stand with different names."""
-    names = {}
+def _with_two_names(owned_files, participants, earlier):
+    """Return {number: why it is refused} for numbers that stand with different names.
+
+    A number that the worksheet has is a participant's, however an archive spells the name.
+    """
+    names, known = {}, {}
     for entry in earlier:
         if entry.source:
-            names.setdefault(entry.number, {})[entry.name] = f"{entry.name} in ledger.csv"
+            known.setdefault(entry.number, {})[normalize("NFC", entry.name)] = None
     for _, owner in owned_files:
-        names.setdefault(owner.number, {}).setdefault(owner.name, owner.name)
+        if owner.number not in participants:
+            names.setdefault(owner.number, {})[normalize("NFC", owner.name)] = None
+    different = {}
+    for number, of_number in names.items():
+        if len(of_number) > 1:
+            different[number] = list(of_number)
+        elif number in known and not known[number].keys() & of_number:
+            different[number] = [f"{next(iter(known[number]))} in ledger.csv", *of_number]
     return {
-        number: f"the number {number} stands with two names, {' and '.join(of_number.values())}: "
-        "nothing of it was collected; if a name has changed, change it in ledger.csv too"
-        for number, of_number in names.items()
-        if len(of_number) > 1
+        number: f"the number {number} stands with two names, {' and '.join(two)}: nothing of it was "
+        "collected; if both are the same student, collect with --worksheet, which goes by the number"
+        for number, two in different.items()
     }
 
 
 # What: the files
 
 
-def _copied(into, file, owner, entry):
-    """Copy a file, and the notebooks in it; yield an `Entry` for each."""
-    trouble = owner.trouble or _trouble(entry.student, owner.file, file.size)
+def _copied(current, file, owner, entry, sizes):
+    """Copy a file, and the notebooks in it; yield an `Entry` for each.
+
+    `sizes` has the bytes so far by student.
+    """
+    size = sizes[entry.student] + file.size
+    trouble = owner.trouble or _trouble(entry.student, owner.file, file.size, size)
     if not trouble:
         try:
             content = file.read()
@@ -315,8 +343,9 @@ def _copied(into, file, owner, entry):
     if trouble:
         yield replace(entry, trouble=trouble)
         return
-    folder = into / entry.student / entry.assignment
-    yield replace(entry, file=sanitise_name(_put(folder, owner.file, content)))
+    sizes[entry.student] = size
+    folder = Path(entry.student, entry.assignment)
+    yield replace(entry, file=sanitise_name(current.put(folder, owner.file, content)))
     if not owner.file.lower().endswith(".zip"):
         return
     try:
@@ -327,33 +356,23 @@ def _copied(into, file, owner, entry):
     for notebook in inside:
         name = notebook.path.rpartition("/")[2]
         yield from _copied(
-            into,
+            current,
             notebook,
             replace(owner, file=name),
             replace(entry, source=f"{entry.source}/{sanitise_name(notebook.path)}"),
+            sizes,
         )
 
 
-def _trouble(student, name, size):
+def _trouble(student, name, size, size_in_all):
     """Return why a file cannot be copied, or ""."""
     if max(len(os.fsencode(student)), len(os.fsencode(name))) > MAX_NAME:
-        return "its name is too long"
+        return TOO_LONG
     if size > MAX_FILE:
         return f"it has {size / 2**20:.0f} MB; files up to {MAX_FILE // 2**20} MB are read"
+    if size_in_all > MAX_STUDENT:
+        return (
+            f"with it the student's files would have {size_in_all / 2**20:.0f} MB in all, unpacked; "
+            f"up to {MAX_STUDENT // 2**20} MB of a student are collected from a download"
+        )
     return ""
-
-
-def _put(folder, name, content):
-    """Write a file unless it is there; return its name, with a number if another file has it."""
-    stem, suffix = os.path.splitext(name)
-    path, number = folder / name, 1
-    try:
-        while path.exists() and path.read_bytes() != content:
-            number += 1
-            path = folder / f"{stem} ({number}){suffix}"
-        folder.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            path.write_bytes(content)
-    except OSError as error:
-        raise InputError(f"{sanitise_name(path)} cannot be written: {error.strerror}") from None
-    return path.name

@@ -1,21 +1,28 @@
 """Grade a course: find what was submitted, run what has no result, store each result."""
 
-import fcntl
+import json
 import os
+import sys
+from collections import Counter
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field, replace
+from functools import cache
 from pathlib import Path
+
+from filelock import FileLock, Timeout
 
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import copying, matching, numbers, student_folders, submissions
+from workbook.grading.course.policy import Budget
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
-from workbook.grading.pool import grader, worker_pool
+from workbook.grading.pool import grader
 from workbook.grading.pool.fingerprint import fingerprint
-from workbook.grading.pool.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
-from workbook.grading.sandbox import isolation, preloading
-from workbook.grading.sandbox.forkserver import Forkserver
-from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.pool.judging import ELSEWHERE, FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
+from workbook.grading.pool.turns import Turns
+from workbook.grading.sandbox import preloading
+from workbook.grading.sandbox.limited_process import LimitedProcess, LimitError
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 
 
@@ -29,20 +36,51 @@ class Plan:
 
     Parameters
     ----------
-    pending : tuple of dict
-        The tasks: notebooks to be graded.
+    pending : tuple of Pending
+        Notebooks to be graded.
     graded_before : int
         How many notebooks have a result already.
     aside : tuple of LeftAside
         What is left aside.
-    lines : dict
-        The students' own lines of code: {homework: {student: set of lines}}.
+    own_code : dict
+        The students' own code: {homework: {student: `copying.OwnCode`}}.
+    used : dict
+        The seconds of computing of notebooks that have a result, by (homework, student).
+    assumed : dict
+        The notebooks that do not say themselves which problem they are for: {problem: paths}.
+    waiting : tuple
+        (path, why) of the notebooks that wait for a machine with Linux.
     """
 
     pending: tuple
     graded_before: int
     aside: tuple
-    lines: dict = field(default_factory=dict)
+    own_code: dict = field(default_factory=dict)
+    used: dict = field(default_factory=dict)
+    assumed: dict = field(default_factory=dict)
+    waiting: tuple = ()
+
+
+@dataclass(frozen=True)
+class Pending:
+    """A notebook to be graded.
+
+    Parameters
+    ----------
+    owner : tuple of str
+        The homework and the student.
+    submission : Submission
+        The notebook.
+    version : str
+        That of the exercise, which its result is stored with.
+    task : Task
+        What is to be graded; its key is the attempt in the store.
+    """
+
+    owner: tuple
+    submission: Submission
+    version: str
+    task: grader.Task
 
 
 def grade(
@@ -55,6 +93,8 @@ def grade(
     trusting=False,
     cluster=None,
     progress=lambda done, total: None,
+    wasm=False,
+    report=lambda line: None,
 ):
     """Grade `submitted` into `out`/grades.sqlite.
 
@@ -78,6 +118,10 @@ def grade(
         Its workers grade, not this machine.
     progress : callable
         Called with the numbers of notebooks that are done and that are to be graded.
+    wasm : bool
+        Whether notebooks run in WebAssembly, not in a sandbox that only Linux has.
+    report : callable
+        Called with one line before something that takes long.
 
     Returns
     -------
@@ -100,104 +144,188 @@ def grade(
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CourseError(f"{out} cannot be made: {error.strerror}") from None
-    for folder in () if trusting else (submitted, out):
-        if (visible := isolation.visible_parent(folder)) is not None:
-            raise CourseError(
-                f"{folder} lies in {visible}, which every notebook can read: move it elsewhere"
-            )
+    if not (trusting or wasm):
+        _require_hidden(submitted, out)
     with (
         _locked(out),
-        _early_forkserver(out, cluster) as forkserver,
+        _early_forkserver(out, cluster is not None or wasm) as forkserver,
         Store(out / "grades.sqlite") as store,
     ):
-        entries = list(submissions.find(submitted))
         files = assignments.files(assignment_folder)
+        entries = list(submissions.find(submitted, _budgets(files)))
         homeworks, aside_reasons = _homeworks(entries, files)
-        count = count or len(os.sched_getaffinity(0))
+        count = count or _cores()
         if cluster is None:  # else each worker of the cluster does so for its machine
             limits, bounds = grader.fit_memory(limits, count), grader.fit_memory(bounds, count)
         with store.transaction():
             copies, aside = _by_attempt(entries, homeworks, aside_reasons, files)
             plan = _plan(copies, aside, homeworks, store, limits)
         progress(0, len(plan.pending))
-        failures = 0
+        failures, waiting, turns = 0, [], _turns(plan, homeworks)
         with closing(
-            _judgements(plan.pending, count, limits, bounds, trusting, cluster, forkserver)
+            _judgements(
+                plan.pending,
+                turns,
+                count,
+                grader.to_settings(limits, bounds, trusting),
+                cluster,
+                forkserver,
+                report if wasm else None,
+            )
         ) as judgements:
-            for done, (task, judgement, task_limits) in enumerate(judgements, start=1):
-                judgement = grader.with_text_cells(judgement, task["names in text"])
+            for done, (pending, judgement, task_limits) in enumerate(judgements, start=1):
+                judgement = grader.with_text_cells(judgement, pending.submission.names_in_text)
                 store.record(
-                    task["key"],
-                    _version(task["exercise"], judgement.final, task_limits),
+                    pending.task.key,
+                    _version(pending.version, judgement.final, task_limits),
                     judgement.verdicts,
                     judgement.answers,
                     judgement.remarks,
                     judgement.hashes,
+                    judgement.seconds,
                 )
                 failures += judgement.final == NOT_FINAL
+                if judgement.final == ELSEWHERE:
+                    waiting.append((pending.submission.path, judgement.remarks[0]))
                 progress(done, len(plan.pending))
+    plan = replace(_without(plan, turns.left_over, homeworks), waiting=tuple(waiting))
     return homeworks, plan, failures
+
+
+def _require_hidden(*folders):
+    """Refuse folders that notebooks can read in the sandbox of Linux."""
+    from workbook.grading.sandbox import isolation
+
+    for folder in folders:
+        if (visible := isolation.visible_parent(folder)) is not None:
+            raise CourseError(
+                f"{folder} lies in {visible}, which every notebook can read: move it elsewhere"
+            )
+
+
+def _budgets(files):
+    """Return a function that returns the `Budget` of a homework, read when it is first asked for."""
+
+    @cache
+    def budget_of(name):
+        return assignments.read(files[name]).policy.budget if name in files else Budget()
+
+    return budget_of
+
+
+def _turns(plan, homeworks):
+    """Return the `Turns` of the notebooks that can be run."""
+    tasks = {}
+    for pending in plan.pending:
+        if not pending.submission.trouble:
+            tasks.setdefault(pending.owner, []).append(pending.task)
+    budgets = {
+        (name, student): 60 * homeworks[name].policy.budget.cpu_minutes for name, student in tasks
+    }
+    return Turns(tasks, plan.used, budgets)
+
+
+def _without(plan, left_over, homeworks):
+    """Return the plan with the tasks left aside for which no computing time was left."""
+    keys = {task.key for task in left_over}
+    over = [pending for pending in plan.pending if pending.task.key in keys]
+    aside = [
+        LeftAside(
+            pending.submission.path,
+            "the student's notebooks here have used up "
+            f"{homeworks[pending.owner[0]].policy.budget.cpu_minutes:g} minutes of computing "
+            "([budget] in assignment.toml)",
+            pending.owner[1],
+            pending.owner[0],
+            by_hand=True,
+        )
+        for pending in over
+    ]
+    pending = tuple(p for p in plan.pending if p not in over)
+    return replace(plan, pending=pending, aside=(*plan.aside, *aside))
+
+
+def _cores():
+    """Return how many processors this process may use."""
+    if sys.platform == "linux":
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 @contextmanager
 def _locked(out):
     """Lock the folder: two graders would do everything twice. The lock ends with the process."""
     try:
-        file = open(out / ".grading", "w")
+        lock = FileLock(out / ".grading", timeout=0).acquire()
+    except Timeout:
+        raise CourseError(f"another workbook grade is at work on {out}") from None
     except OSError as error:
         raise CourseError(f"{out} cannot be written to: {error.strerror}") from None
-    with file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise CourseError(f"another workbook grade is at work on {out}") from None
+    with lock:
         yield
 
 
 @contextmanager
-def _early_forkserver(out, cluster):
+def _early_forkserver(out, needless):
     """Start a forkserver while submissions are read, in a first run, which surely needs it."""
-    if cluster is not None or (out / "grades.sqlite").exists():
+    if needless or (out / "grades.sqlite").exists():
         yield None
         return
+    from workbook.grading.sandbox.forkserver import Forkserver
+
     with closing(Forkserver.start(preloading.ALWAYS)) as forkserver:
         yield forkserver
 
 
-def _judgements(pending, count, limits, bounds, trusting, cluster, forkserver=None):
-    """Yield (task, its judgement, the limits that it had) in the order they are done."""
-    for task in pending:
-        if task["trouble"]:
-            exercise = exercises.find(task["problem"])
-            yield task, grader.unreadable_notebook(exercise, task["trouble"]), limits
-    by_key = {task["key"]: task for task in pending if not task["trouble"]}
+def _judgements(pending, turns, count, settings, cluster, forkserver, report):
+    """Yield (what was pending, its judgement, its limits) in the order they are done.
+
+    `settings` are those of `grader.to_settings`; with `report`, notebooks run in WebAssembly.
+    """
+    limits = Limits(**settings["limits"])
+    for unreadable in pending:
+        if trouble := unreadable.submission.trouble:
+            exercise = exercises.find(unreadable.task.problem)
+            yield unreadable, grader.unreadable_notebook(exercise, trouble), limits
+    by_key = {p.task.key: p for p in pending if not p.submission.trouble}
     if not by_key:
         return
-    modules = preloading.modules_for(
-        {task["problem"] for task in by_key.values()},
-        [source for task in by_key.values() for source in task["sources"]],
-    )
-    settings = grader.to_settings(limits, bounds, trusting) | {"modules": modules}
-    if cluster is None:
-        grading = worker_pool.grade_all(
-            by_key.values(), min(count, len(by_key)), settings, forkserver
-        )
+    count = min(count, len(by_key))
+    if report is not None:
+        from workbook.grading.pool import spawned_workers
+
+        grading = spawned_workers.grade_all(turns, count, settings, report)
     else:
-        grading = cluster.grade_all(by_key.values(), settings)
+        modules = preloading.modules_for(
+            {p.task.problem for p in by_key.values()},
+            [source for p in by_key.values() for source in p.task.sources],
+        )
+        settings |= {"modules": modules}
+        if cluster is not None:
+            grading = cluster.grade_all(turns, settings)
+        else:
+            from workbook.grading.pool import worker_pool
+
+            grading = worker_pool.grade_all(turns, count, settings, forkserver)
     with closing(grading) as results:
         for key, result in results:
+            judgement = grader.from_plain(result)
+            turns.done(by_key[key].owner, judgement.seconds)
             yield (
                 by_key[key],
-                grader.from_plain(result),
+                judgement,
                 Limits(**result["limits"]) if "limits" in result else limits,
             )
 
 
 def _version(exercise, final, limits):
     """Return the name under which a result is stored: what it depends on besides the notebook."""
-    return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[
-        final
-    ]
+    return {
+        FINAL: exercise,
+        WITHIN_LIMITS: f"{exercise} within {limits}",
+        NOT_FINAL: "failed",
+        ELSEWHERE: "waiting",
+    }[final]
 
 
 def _is_graded(versions, exercise, limits):
@@ -214,7 +342,7 @@ def _is_graded(versions, exercise, limits):
 
 def _plan(copies, aside, homeworks, store, limits):
     """Note all attempts and return the `Plan`; `copies` and `aside` are those of `_by_attempt`."""
-    fingerprints, pending, noted, graded_before = {}, {}, {}, 0
+    fingerprints, pending, noted, graded_before, used = {}, [], {}, 0, Counter()
     for (student, name, problem, content), duplicates in copies.items():
         direction, variant = homeworks[name].direction, homeworks[name].variant(problem, student)
         if (variant, direction) not in fingerprints:
@@ -240,32 +368,59 @@ def _plan(copies, aside, homeworks, store, limits):
         version = fingerprints[variant, direction]
         if _is_graded(store.versions(attempt), version, limits):
             graded_before += 1
+            used[name, student] += store.seconds_used(attempt)
             continue
         exercise = homeworks[name].exercise(variant)
-        pending[attempt] = {
-            "key": attempt,
-            "problem": variant,
-            "other variants": homeworks[name].other_variants(problem, student),
-            "direction": direction,
-            "exercise": version,
-            "trouble": submission.trouble,
-            "sources": exercise.sources_to_run(submission.cells),
-            "names in text": submission.names_in_text,
-            "names": list(exercise.about["answers"]),
-        }
-    return Plan(tuple(pending.values()), graded_before, tuple(aside), _own_lines(copies, homeworks))
+        task = grader.Task(
+            variant,
+            direction,
+            exercise.sources_to_run(submission.cells),
+            homeworks[name].other_variants(problem, student),
+            attempt,
+            tuple(exercise.about["answers"]),
+        )
+        pending.append(Pending((name, student), submission, version, task))
+    own_code = _own_code(noted, homeworks, store)
+    return Plan(tuple(pending), graded_before, tuple(aside), own_code, dict(used), _assumed(copies))
 
 
-def _own_lines(copies, homeworks):
-    """Return the own lines of code of each student, by homework and student."""
-    lines, pristine = {}, {}
-    for (student, name, problem, _), (submission, *_) in copies.items():
-        variant = homeworks[name].variant(problem, student)
-        if variant not in pristine:
-            pristine[variant] = copying.pristine_lines(exercises.find(variant))
-        own = copying.own_lines(submission.cells, pristine[variant])
-        lines.setdefault(name, {}).setdefault(student, set()).update(own)
-    return lines
+def _assumed(copies):
+    """Return {problem: paths of the notebooks that do not say themselves that they are for it}."""
+    paths = {}
+    for (_, _, problem, _), (submission, *_) in copies.items():
+        if submission.problem != problem:
+            paths.setdefault(problem, []).append(submission.path)
+    return paths
+
+
+def _own_code(noted, homeworks, store):
+    """Return the own code of each student, by homework and student.
+
+    The shapes of an attempt's code are found once and stored, since parsing takes longer than all
+    else that a run without new notebooks does.
+    """
+    own_code, pristine = {}, {}
+    with LimitedProcess(copying.shapes) as process:
+        for attempt, (student, name, problem, submission) in noted.items():
+            variant = homeworks[name].variant(problem, student)
+            if variant not in pristine:
+                exercise = exercises.find(variant)
+                cells = [source for _, source in exercise.cells]
+                pristine[variant] = exercise, cells, copying.pristine_lines(exercise)
+            exercise, cells, lines = pristine[variant]
+            own = own_code.setdefault(name, {}).setdefault(student, copying.OwnCode())
+            own.lines |= copying.own_lines(submission.cells, lines)
+            shapes = store.shapes(attempt)
+            if shapes is None:
+                sources = exercise.sources_to_run(submission.cells)
+                request = json.dumps({"cells": sources, "pristine": cells}).encode()
+                try:
+                    shapes = process.call(copying.shapes, request)
+                except LimitError:  # nobody else has such a notebook
+                    shapes = {}
+                store.set_shapes(attempt, shapes)
+            own.shapes |= shapes
+    return own_code
 
 
 def _by_attempt(entries, homeworks, aside_reasons, files):
@@ -308,7 +463,8 @@ def _by_attempt(entries, homeworks, aside_reasons, files):
             aside.append(LeftAside(entry.path, reason, entry.student, name))
         else:
             copies.setdefault((entry.student, name, problem, entry.content), []).append(entry)
-    return copies, aside
+    copies, others = matching.one_of_each_hand_in(copies)
+    return copies, aside + others
 
 
 def _homeworks(entries, files):

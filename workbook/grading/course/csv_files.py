@@ -1,30 +1,54 @@
 """CSV files: read in any of their forms, written in one.
 
 The separator of a file that is read is whichever of comma, semicolon and tab divides the first line
-most often; a byte order mark may be there or not.
+most often; a byte order mark may be there or not. A spreadsheet saves CSV in UTF-8 or UTF-16 if it
+is told to, else in an encoding of Windows.
 """
 
+import codecs
 import csv
 import io
+import sys
+from functools import cache
 from pathlib import Path
 
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.encodings import decoded
 
 # Moodle's worksheet holds whole texts of students in a cell; by default a longer one is an error.
 csv.field_size_limit(2**27)
 
 #: The byte order mark, without which spreadsheets take UTF-8 for an older encoding.
 BOM = "\ufeff"
+#: Encodings that are tried in this order, with the names of those that are told.
+ENCODINGS = {"utf-8-sig": None, "cp1251": "Windows-1251", "cp1252": "Windows-1252"}
 
 
 def read_text(path):
-    """Return the text of a file in UTF-8; raises `InputError`."""
+    """Return the text of a file, in whichever of `ENCODINGS` fits first; raises `InputError`.
+
+    One that is not UTF-8 is named on the standard error stream.
+    """
     try:
-        return Path(path).read_bytes().decode("utf-8-sig")
+        data = Path(path).read_bytes()
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path} is not CSV in UTF-8: {error}") from None
+    is_utf_16 = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    text, encoding = decoded(data, ["utf-16"] if is_utf_16 else ENCODINGS)
+    if encoding is None:
+        raise InputError(
+            f"{path} is not CSV in UTF-8, UTF-16, Windows-1251 or Windows-1252: save it in the "
+            'spreadsheet as "CSV UTF-8 (comma delimited)"'
+        )
+    if name := ENCODINGS.get(encoding):
+        _tell(path, name)
+    return text
+
+
+@cache
+def _tell(path, encoding):
+    """Name an encoding, once for each file."""
+    print(f"{path} is read as {encoding}", file=sys.stderr)
 
 
 def parse(text):

@@ -10,6 +10,7 @@ import re
 import shutil
 from pathlib import Path
 
+from workbook.authoring.contract import item_of
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.assignment import POOL, AssignmentError
 from workbook.grading.course.policy import can_be_due
@@ -32,7 +33,8 @@ README = """\
 
 ## How to hand in
 
-Save the notebooks and hand them in **under the names they have**. {attempts}
+Save the notebooks and hand them in **under the names they have**. {attempts} Of what you hand in at once, one notebook
+a problem counts.
 
 Your notebook is run from top to bottom in a fresh process, without network and without files beside it, so run it once
 that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one
@@ -52,6 +54,7 @@ def make(
     kept_for_grading=(),
     own_numbers=False,
     pool=(),
+    items=None,
 ):
     """Write a homework into `folder`/`name`, which must not exist.
 
@@ -77,6 +80,8 @@ def make(
         Whether the notebooks are left out, since each student gets others (`student_folders`).
     pool : list of str
         Further problems, of which each student gets one.
+    items : dict, optional
+        The items that are asked, by problem; the answers to its other items have no points.
 
     Returns
     -------
@@ -97,20 +102,21 @@ def make(
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
     _check([*problems, *pool])
-    toml = _toml(title or name, problems, due, direction, kept_for_grading, pool)
+    toml = _toml(title or name, problems, due, direction, kept_for_grading, pool, items or {})
     homework = assignments.from_text(toml, target / "assignment.toml")
     files = {"assignment.toml": toml, "README.md": _readme(homework)}
     if not own_numbers:
         files |= {file_name(p): release(homework, p, site) for p in [*problems, *pool]}
-    created = False
+    writing = target.with_name(f".{name}.writing")  # renamed when all is there
     try:
-        target.mkdir(parents=True)
-        created = True
+        if writing.exists():
+            shutil.rmtree(writing)
+        writing.mkdir(parents=True)
         for file, text in files.items():
-            (target / file).write_text(text, encoding="utf-8")
+            (writing / file).write_text(text, encoding="utf-8")
+        writing.rename(target)
     except OSError as error:
-        if created:
-            shutil.rmtree(target, ignore_errors=True)
+        shutil.rmtree(writing, ignore_errors=True)
         raise AssignmentError(f"{target} cannot be written: {error.strerror}") from None
     return homework
 
@@ -176,12 +182,9 @@ def _check(problems):
         raise AssignmentError("a problem is named twice")
 
 
-def _toml(title, problems, due, direction, kept_for_grading, pool):
+def _toml(title, problems, due, direction, kept_for_grading, pool, items):
     quoted, pool_quoted = (", ".join(map(_text, numbers)) for numbers in (problems, pool))
-    points = "\n".join(
-        f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
-        for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems)
-    )
+    points = "\n".join(_points(problem, items.get(problem)) for problem in problems)
     if pool:
         points = (
             f"{POOL} = {len(assignments.answers_of(pool[0]))}  # each of its problems\n{points}"
@@ -197,6 +200,7 @@ def _toml(title, problems, due, direction, kept_for_grading, pool):
             if due
             else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n"
         )
+        + '# zone = "Europe/Moscow"  # of the times in Moodle\'s worksheet; by default that of due\n'
         + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
         "ones do not count\n"
         f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
@@ -217,18 +221,29 @@ def _toml(title, problems, due, direction, kept_for_grading, pool):
     )
 
 
+def _points(problem, items):
+    """Return the lines of a problem's points: one an answer, none for what is not asked."""
+    answers = assignments.answers_of(problem)
+    asked = [answer for answer in answers if not items or item_of(answer) in items]
+    return "\n".join(
+        [
+            f"{_text(problem)} = {len(asked)}  # {', '.join(asked)}",
+            *(
+                f"{_text(f'{problem}.{answer}')} = 0  # not asked"
+                for answer in answers
+                if answer not in asked
+            ),
+        ]
+    )
+
+
 def _text(value):
     """Return a TOML string, whose escapes are those of JSON, except for DEL."""
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _readme(homework):
-    entries = [
-        f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
-        f"{sum(points.values()):g} point{'s' * (sum(points.values()) != 1)} for {len(points)} "
-        f"answer{'s' * (len(points) != 1)}"
-        for problem, points in homework.points.items()
-    ]
+    entries = [_entry(problem, points) for problem, points in homework.points.items()]
     common = len(entries) - len(homework.pool)
     rows = entries[:common]
     if homework.pool:
@@ -247,6 +262,19 @@ def _readme(homework):
         kept=_kept(homework),
         attempts=attempts,
     )
+
+
+def _entry(problem, points):
+    asked = [name for name, worth in points.items() if worth]
+    worth, count = sum(points.values()), len(asked)
+    text = (
+        f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
+        f"{worth:g} point{'s' * (worth != 1)} for {count} answer{'s' * (count != 1)}"
+    )
+    if count == len(points):
+        return text
+    items = ", ".join(sorted({item_of(name) for name in asked}))
+    return f"{text}, those of {items}; the others are practice"
 
 
 def _kept(homework):

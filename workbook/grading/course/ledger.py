@@ -14,7 +14,7 @@ from pathlib import Path
 
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.csv_files import BOM, parse, quoted, read_text
-from workbook.grading.course.record import put
+from workbook.grading.course.transaction import require_finished
 
 NAME = "ledger.csv"
 #: What the system says of the time of a submission: when it was; that it was late, or in time,
@@ -79,10 +79,25 @@ class Entry:
         # Canvas adds LATE_ to a name, also afterwards, when the due date is moved.
         return self.source.replace("LATE_", "", 1)
 
+    @property
+    def rank(self):
+        """What orders the files of one hand-in: Canvas's number of the file, else its path.
+
+        A file beside an archive goes before one in it.
+        """
+        parts = self.source.split("/")
+        given = (re.match(rf"(?:.*?_)?{re.escape(self.number)}_(\d+)_", part) for part in parts)
+        number = next((int(match[1]) for match in given if match), 0)
+        return number, ".zip/" not in self.source.lower(), self.source
+
 
 def read(root):
     """Return the entries of the ledger in a folder of submissions; raises `InputError`."""
-    path = Path(root) / NAME
+    require_finished(root)
+    return _read(Path(root) / NAME)
+
+
+def _read(path):
     if not path.exists():
         return []
     try:
@@ -110,8 +125,8 @@ class Ledger:
     """
 
     def __init__(self, root):
-        self._root, self._entries = Path(root), {}
-        for entry in read(root):
+        self._entries = {}
+        for entry in _read(Path(root) / NAME):
             self._entries.setdefault((entry.assignment, entry.student), []).append(entry)
 
     def entries(self, assignment):
@@ -137,12 +152,12 @@ class Ledger:
         key = (new.assignment, new.student)
         self._entries[key] = _merged(self._entries.get(key, []), new)
 
-    def write(self):
-        """Write the file; raises `InputError`."""
+    def text(self):
+        """Return the text of the file."""
         header = [field.name for field in fields(Entry)]
         entries = [entry for of_student in self._entries.values() for entry in of_student]
         rows = [[_cell(value) for value in astuple(entry)] for entry in entries]
-        put(self._root / NAME, BOM + quoted([header, *rows]))
+        return BOM + quoted([header, *rows])
 
 
 def _merged(entries, new):
@@ -169,7 +184,12 @@ def _merged(entries, new):
         for entry in entries
         if (entry.file, entry.stable_source) == (new.file, new.stable_source)
     ]
-    if any(new.timing == UNKNOWN or _times(entry) == _times(new) for entry in duplicates):
+    if any(
+        new.timing == UNKNOWN
+        or _times(entry) == _times(new)
+        or (entry.timing == KNOWN and new.submitted is None)
+        for entry in duplicates
+    ):
         return entries
     return [*(entry for entry in entries if entry not in duplicates or entry.timing == KNOWN), new]
 
@@ -191,7 +211,10 @@ def _entry(line):
 
 
 def _seconds(text):
-    return datetime.fromisoformat(text).timestamp()
+    when = datetime.fromisoformat(text)
+    if when.tzinfo is None:
+        raise ValueError(f"{text} has no time zone, as 2026-09-30 23:59:00+03:00 has")
+    return when.timestamp()
 
 
 def _cell(value):

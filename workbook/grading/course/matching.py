@@ -1,9 +1,16 @@
 """Matching: which problem a notebook is for, and which problems a homework has."""
 
+import re
+from pathlib import PurePath
+
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.notebooks import exercises
 
+#: A number such as 1.15 anywhere in a name, unless it is part of a longer one, as of a date.
+NUMBER = re.compile(
+    r"(?<![0-9])(?<![0-9][._-])0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?![._-]?[0-9])", re.IGNORECASE
+)
 #: From this number of students on, a problem that only one of them handed in is not asked for.
 MIN_CLASS = 3
 
@@ -82,6 +89,9 @@ def problem_for(submission, homework):
             *owner,
             named,
         )
+    in_name = {".".join(numbers) for numbers in NUMBER.findall(PurePath(submission.path).stem)}
+    if len(asked := in_name.intersection(homework.problems)) == 1:
+        return asked.pop()
     if len(homework.problems) == 1:  # it names none, and there is only one it can be
         return homework.problems[0]
     problems_text = f" ({', '.join(homework.problems)})" if homework.problems else ""
@@ -91,6 +101,49 @@ def problem_for(submission, homework):
         or f"it does not say which problem of the homework it is for{problems_text}",
         *owner,
     )
+
+
+def one_of_each_hand_in(copies):
+    """Keep one notebook a problem of what a student handed in at once.
+
+    Else a hand-in of many notebooks would be as many attempts. The one that is new there counts,
+    of several new ones the system's newest; where the system does not order them, the last by name.
+
+    Parameters
+    ----------
+    copies : dict
+        {(student, homework, problem, content): its submissions}.
+
+    Returns
+    -------
+    tuple
+        (such a dictionary of what counts, a `LeftAside` for each of the others).
+    """
+    newest = {}
+    for (*attempted, _), submissions in copies.items():
+        for submission in (one for one in submissions if one.rank):
+            hand_in = (*attempted, submission.submitted)
+            newest[hand_in] = max(newest.get(hand_in, submission), submission, key=_order)
+    counting, others = {}, []
+    for (*attempted, content), submissions in copies.items():
+        kept = [
+            submission
+            for submission in submissions
+            if not submission.rank or newest[*attempted, submission.submitted].content == content
+        ]
+        if kept:
+            counting[*attempted, content] = kept
+            continue
+        other = submissions[0]
+        name = PurePath(newest[*attempted, other.submitted].path).name
+        reason = f"of what is handed in at once one file a problem counts, here {name}"
+        others.append(LeftAside(other.path, reason, other.student, other.assignment, is_extra=True))
+    return counting, others
+
+
+def _order(submission):
+    # What cannot be read does not take the place of what can.
+    return not submission.trouble, submission.rank
 
 
 def is_known_problem(number):

@@ -80,7 +80,8 @@ def updated(former, texts, replies, when):
 
 def _text(path):
     try:
-        content = submitted_file.content(path).decode("utf-8", "replace")
+        # A character has at most four bytes; what is cut is not looked at.
+        content = submitted_file.content(path)[: 4 * MAX_LENGTH + 4].decode("utf-8", "replace")
     except (OSError, submitted_file.UnreadableFileError) as error:
         content = f"(this file cannot be read: {error})"
     text = sanitise(content.strip(), keep="\n\t")

@@ -12,12 +12,23 @@ import datetime
 import math
 from dataclasses import dataclass, field, fields
 from itertools import pairwise
+from zoneinfo import ZoneInfo
 
 from workbook.grading.sandbox.sanitising import normalise_name
 
 DAY = 86400
-#: The tables of `assignment.toml` that are read here, with `due`.
-FIELDS = {"due", "early", "late", "extensions", "exemptions", "labels"}
+#: What is read here of `assignment.toml`.
+FIELDS = {
+    "due",
+    "zone",
+    "early",
+    "late",
+    "grace_days",
+    "budget",
+    "extensions",
+    "exemptions",
+    "labels",
+}
 
 
 class PolicyError(ValueError):
@@ -84,6 +95,25 @@ class LateRule:
 
 
 @dataclass(frozen=True)
+class Budget:
+    """What the notebooks of one student may use together for a homework.
+
+    Parameters
+    ----------
+    notebooks : int
+        How many are read, the earliest first.
+    megabytes : float
+        The sizes of all files that are read.
+    cpu_minutes : float
+        Of computing; a notebook is begun while any of it is left.
+    """
+
+    notebooks: int = 500
+    megabytes: float = 400
+    cpu_minutes: float = 20
+
+
+@dataclass(frozen=True)
 class Policy:
     """When a homework is due, for whom, and what its time does to an attempt's points.
 
@@ -101,6 +131,13 @@ class Policy:
         The problems, and answers such as "1.15.a_region", not asked of a student or label.
     labels : dict
         The students who have a label.
+    zone : datetime.tzinfo or None
+        The time zone of times that a system writes without one; that of `due` by default.
+    grace_days : int
+        Days of the whole course that a student may be late without loss: those that no homework
+        with an earlier due date has used up.
+    budget : Budget
+        What the notebooks of one student may use.
     """
 
     due: datetime.datetime | None = None
@@ -109,6 +146,9 @@ class Policy:
     extensions: dict = field(default_factory=dict)
     exemptions: dict = field(default_factory=dict)
     labels: dict = field(default_factory=dict)
+    zone: datetime.tzinfo | None = None
+    grace_days: int = 0
+    budget: Budget = Budget()
 
     def due_of(self, student):
         """Return the due date of a student, or None."""
@@ -135,19 +175,28 @@ class Policy:
             *self.labels.values()
         )
 
-    def share(self, student, submitted):
-        """Return the share of its points that an attempt has, handed in at a time since 1970."""
+    def share(self, student, submitted, grace_days=0):
+        """Return the share of its points that an attempt has, handed in at a time since 1970.
+
+        `grace_days` are those that the student has left.
+        """
         due = self.due_of(student)
         if due is None:
             return 1.0
         seconds = submitted - due.timestamp()
         if self.early and seconds <= -self.early.days * DAY:
             return self.early.share
-        return self.late.share(seconds) if self.late else 1.0
+        return self.late.share(seconds - grace_days * DAY) if self.late else 1.0
 
-    def explanation(self, student, submitted):
+    def grace_days_used(self, student, submitted, grace_days):
+        """Return how many of so many grace days an attempt uses up: those begun after the date."""
+        due = self.due_of(student)
+        late_by = days_begun(submitted - due.timestamp()) if due else 0
+        return min(max(late_by, 0), grace_days)
+
+    def explanation(self, student, submitted, grace_days=0):
         """Return a sentence on what the time does to an attempt's points, "" if nothing."""
-        share, due = self.share(student, submitted), self.due_of(student)
+        share, due = self.share(student, submitted, grace_days), self.due_of(student)
         if share > 1:
             return (
                 f"Handed in at least {_days(self.early.days)} before the due date: right answers have "
@@ -158,11 +207,18 @@ class Policy:
             return ""
         if self.late is None:
             return "Handed in after the due date."
-        if self.late.is_cut_off(seconds):
+        used = self.grace_days_used(student, submitted, grace_days)
+        if used == days_begun(seconds):
+            return (
+                f"Handed in {_days(used)} after the due date (a day begun counts), which uses "
+                f"{_days(used)} of your grace and costs no points."
+            )
+        grace = f"; {_days(used)} of your grace count as in time" if used else ""
+        if self.late.is_cut_off(seconds - used * DAY):
             limit = f"more than {_days(self.late.cutoff_days)} " if self.late.cutoff_days else ""
-            return f"Handed in {limit}after the due date: right answers have no points any more."
+            return f"Handed in {limit}after the due date{grace}: right answers have no points any more."
         return (
-            f"Handed in {_days(days_begun(seconds))} after the due date (a day begun counts): "
+            f"Handed in {_days(days_begun(seconds))} after the due date (a day begun counts){grace}: "
             f"right answers have {_percent(share)} of their points."
         )
 
@@ -188,18 +244,30 @@ def read(table, points):
 
     `points` are those of each answer by problem.
     """
-    due = table.get("due")
+    due, zone = table.get("due"), table.get("zone")
+    if zone is not None:
+        zone = time_zone(zone)
     if due is not None:
-        _require_date(due, "due")
+        due = _date(due, "due", zone)
     for name in ("early", "late"):
         _require(due is not None or name not in table, f"{name} needs a due date")
+    grace_days = table.get("grace_days", 0)
+    _require(
+        type(grace_days) is int and 0 <= grace_days <= 365,
+        "grace_days is a whole number of days from 0 to 365",
+    )
+    _require(
+        not grace_days or "late" in table, "grace_days needs a table [late], which they soften"
+    )
     labels = {
         label: _students(label, students)
         for label, students in _table(table, "labels", '"extended time" = ["ann", "bob"]').items()
     }
-    extensions = _table(table, "extensions", '"ann" = 2026-10-08T23:59:00+03:00')
+    extensions = {
+        owner: _date(date, f'extensions."{owner}"', zone)
+        for owner, date in _table(table, "extensions", '"ann" = 2026-10-08T23:59:00+03:00').items()
+    }
     for owner, date in extensions.items():
-        _require_date(date, f'extensions."{owner}"')
         _require(
             due is not None and date >= due,
             f'extensions."{owner}" is before the due date, or there is none',
@@ -219,7 +287,20 @@ def read(table, points):
         {normalise_name(owner): date for owner, date in extensions.items()},
         {normalise_name(owner): tuple(exempt) for owner, exempt in exemptions.items()},
         labels,
+        zone or (due.tzinfo if due else None),
+        grace_days,
+        _budget(table.get("budget", {})),
     )
+
+
+def time_zone(name):
+    """Return the time zone of a name such as Europe/Moscow; raises `PolicyError`."""
+    try:
+        return ZoneInfo(name)
+    except (KeyError, ValueError, TypeError, OSError):  # as of a path that is a folder
+        raise PolicyError(
+            f'zone is {name!r}, and is to be the name of a time zone: "Europe/Moscow", "UTC"'
+        ) from None
 
 
 def can_be_due(date):
@@ -241,6 +322,18 @@ def _students(label, students):
         f'labels."{label}" is a list of students in quotes, as their folders are named',
     )
     return frozenset(map(normalise_name, students))
+
+
+def _budget(table):
+    _require(
+        isinstance(table, dict) and table.keys() <= {part.name for part in fields(Budget)},
+        "budget is a table: [budget], and below it notebooks = 500, megabytes = 400 or "
+        "cpu_minutes = 20",
+    )
+    for name, value in table.items():
+        _require_number(value, f"budget.{name}", 0, 1_000_000)
+    _require(type(table.get("notebooks", 0)) is int, "budget.notebooks is a whole number")
+    return Budget(**table)
 
 
 def _early(table):
@@ -299,12 +392,17 @@ def _require_number(value, name, least, greatest):
     )
 
 
-def _require_date(date, name):
+def _date(date, name, zone):
+    """Return a date of the file with its time zone, which may be that of the whole file."""
+    is_date = isinstance(date, datetime.datetime)
+    if is_date and date.tzinfo is None and zone is not None:
+        date = date.replace(tzinfo=zone)
     _require(
-        isinstance(date, datetime.datetime) and date.tzinfo is not None,
+        is_date and date.tzinfo is not None,
         f"{name} is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
     )
     _require(can_be_due(date), f"{name} is a date of our time, from 1971 to 9998")
+    return date
 
 
 def _require(condition, message):

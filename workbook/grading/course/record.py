@@ -90,8 +90,8 @@ def read(path):
         raise InputError(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         raise InputError(
-            f"{path} is not as workbook grade wrote it; grade without it, and changes are told "
-            "from there on"
+            f"{path} is not as workbook grade wrote it: move it away and grade again, and changes "
+            "are told from there on"
         ) from None
 
 
@@ -170,6 +170,7 @@ def _answer(score, answer):
         "max points": answer.max_points,
         "by hand": answer.manual,
         "points by hand": answer.by_hand,
+        "given by": answer.given_by,
         "share": answer.share,
         # Hashes: of the notebook that counts, and of the problem and checks that it was judged by.
         "notebook": attempt.content if attempt else None,
@@ -252,7 +253,9 @@ def _by_answer(student):
 
 def _why(was, now):
     if _by_hand(was) != _by_hand(now):
-        return "points given by hand" if now["by hand"] is not None else "points by hand taken back"
+        if now["by hand"] is None:
+            return "points by hand taken back"
+        return "points given by hand" + (f" by {now['given by']}" if now["given by"] else "")
     if now["by hand"] is not None and was["points"] != now["points"]:
         return POINTS_CHANGED
     if was["notebook"] != now["notebook"]:

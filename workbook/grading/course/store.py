@@ -19,7 +19,10 @@ from workbook.grading.course.record import put
 
 #: The table of all points by hand, beside the store.
 COPY = "points-by-hand.csv"
-COPY_HEADER = ["student", "assignment", "problem", "answer", "points", "comment", "entered"]
+COPY_HEADER = ["student", "assignment", "problem", "answer", "points", "comment", "entered", "by"]
+
+#: The columns of the table of points by hand, as those of the copy.
+MANUAL = "student, assignment, problem, answer, points, comment, entered, giver"
 
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS attempt (
@@ -28,6 +31,7 @@ CREATE TABLE IF NOT EXISTS attempt (
   content TEXT NOT NULL,            -- SHA-256 of the notebook's bytes
   submitted REAL NOT NULL,          -- its time when it was last there, seconds since 1970
   timing TEXT NOT NULL DEFAULT 'known', -- what is known of that time, as in the ledger
+  shapes TEXT NOT NULL DEFAULT '',  -- those of its code (`copying`), as JSON; empty if not found yet
   UNIQUE (student, assignment, problem, content)
 );
 CREATE TABLE IF NOT EXISTS result (
@@ -36,11 +40,13 @@ CREATE TABLE IF NOT EXISTS result (
   verdicts TEXT NOT NULL, answers TEXT NOT NULL, remarks TEXT NOT NULL,
   graded TEXT NOT NULL,
   hashes TEXT NOT NULL DEFAULT '{}', -- SHA-256 of each answer as it was encoded
+  seconds REAL NOT NULL DEFAULT 0,  -- of computing that running and judging it took
   PRIMARY KEY (attempt, exercise)
 );
 CREATE TABLE IF NOT EXISTS manual (
   student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL, answer TEXT NOT NULL,
   points REAL NOT NULL, comment TEXT NOT NULL, entered TEXT NOT NULL,
+  giver TEXT NOT NULL DEFAULT '',   -- who gave the points
   PRIMARY KEY (student, assignment, problem, answer)
 );
 """
@@ -84,6 +90,15 @@ class Attempt:
     timing: str = KNOWN
 
 
+@dataclass(frozen=True)
+class HandPoints:
+    """Points that a lecturer gave for an answer, with a comment for the student, and who did."""
+
+    points: float | None
+    comment: str | None = ""
+    by: str = ""
+
+
 class StoreError(InputError):
     """The file cannot be read or written; its content is unchanged."""
 
@@ -113,15 +128,18 @@ class Store:
             # The file may be of an older version.
             self._add_column("result", "hashes", "'{}'")
             self._add_column("attempt", "timing", "'known'")
+            self._add_column("attempt", "shapes", "''")
+            self._add_column("manual", "giver", "''")
+            self._add_column("result", "seconds", "0", "REAL")
             self._restore_manual()
         except sqlite3.Error as error:
             raise self._error(error) from error
 
-    def _add_column(self, table, name, default):
+    def _add_column(self, table, name, default, kind="TEXT"):
         columns = self._database.execute(f"PRAGMA table_info({table})")
         if name not in {row[1] for row in columns}:
             self._database.execute(
-                f"ALTER TABLE {table} ADD COLUMN {name} TEXT NOT NULL DEFAULT {default}"
+                f"ALTER TABLE {table} ADD COLUMN {name} {kind} NOT NULL DEFAULT {default}"
             )
 
     def __enter__(self):
@@ -170,6 +188,18 @@ class Store:
         ).fetchone()
         return attempt
 
+    def shapes(self, attempt):
+        """Return the shapes of an attempt's code with a line of each, None if not stored yet."""
+        (text,) = self._database.execute(
+            "SELECT shapes FROM attempt WHERE id = ?", (attempt,)
+        ).fetchone()
+        return json.loads(text) if text else None
+
+    def set_shapes(self, attempt, shapes):
+        """Store the shapes of an attempt's code."""
+        text = json.dumps(shapes, ensure_ascii=False)
+        self._database.execute("UPDATE attempt SET shapes = ? WHERE id = ?", (text, attempt))
+
     def attempts_beyond(self, assignment, attempts):
         """Return the ids of attempts after the first `attempts` of a student at a problem.
 
@@ -193,7 +223,14 @@ class Store:
         )
         return [exercise for (exercise,) in rows]
 
-    def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
+    def seconds_used(self, attempt):
+        """Return the seconds of computing that the newest result of an attempt took."""
+        row = self._database.execute(
+            "SELECT seconds FROM result WHERE attempt = ? ORDER BY rowid DESC LIMIT 1", (attempt,)
+        ).fetchone()
+        return row[0] if row else 0.0
+
+    def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None, seconds=0.0):
         """Store a result, completely or not at all; it replaces one by the same exercise.
 
         Parameters
@@ -208,10 +245,12 @@ class Store:
             On the notebook.
         hashes : dict, optional
             SHA-256 by answer.
+        seconds : float
+            Of computing that it took.
         """
         self._database.execute(
             "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, "
-            "graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
+            "graded, hashes, seconds) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
             (
                 attempt,
                 exercise,
@@ -223,6 +262,7 @@ class Store:
                 json.dumps(list(remarks), ensure_ascii=False),
                 datetime.now(UTC).isoformat(timespec="seconds"),
                 json.dumps(hashes or {}),
+                seconds,
             ),
         )
 
@@ -249,15 +289,19 @@ class Store:
             for row in rows
         ]
 
-    def set_manual(self, student, assignment, problem, answer, points, comment):
-        """Store a lecturer's points, which replace the automatic ones until they are taken back."""
-        self.set_points([(student, assignment, problem, answer, points, comment)])
+    def set_points(self, entries):
+        """Store a lecturer's points, which replace the automatic ones until they are taken back.
 
-    def set_points(self, rows):
-        """Store the points of several rows as of `set_manual`, all or none."""
+        `entries` are `HandPoints` by (student, assignment, problem, answer): all are stored or none.
+        """
         now = datetime.now(UTC).isoformat(timespec="seconds")
         with self.transaction():
-            self._insert_manual([(*row, now) for row in rows])
+            self._insert_manual(
+                [
+                    (*key, given.points, given.comment, now, given.by)
+                    for key, given in entries.items()
+                ]
+            )
             self._write_copy()
 
     def take_back(self, student, assignment, problem, answer):
@@ -273,11 +317,13 @@ class Store:
 
     def _insert_manual(self, rows):
         self._database.executemany(
-            "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)", rows
+            f"INSERT OR REPLACE INTO manual ({MANUAL}) VALUES (?, ?, ?, ?, ?, ?, ?, ?)", rows
         )
 
     def _write_copy(self):
-        rows = self._database.execute("SELECT * FROM manual ORDER BY entered, rowid").fetchall()
+        rows = self._database.execute(
+            f"SELECT {MANUAL} FROM manual ORDER BY entered, rowid"
+        ).fetchall()
         put(self.path.with_name(COPY), BOM + quoted([COPY_HEADER, *rows]))
 
     def _restore_manual(self):
@@ -288,9 +334,13 @@ class Store:
             return
         _, lines = parse(read_text(path))
         try:
-            if not lines or lines[0] != COPY_HEADER:
+            if not lines or lines[0] not in (
+                COPY_HEADER,
+                COPY_HEADER[:-1],
+            ):  # before there was "by"
                 raise ValueError("its columns are not those of points by hand")
-            rows = [(*row[:4], float(row[4]), *row[5:]) for row in lines[1:]]
+            nobody = [""] * (len(COPY_HEADER) - len(lines[0]))
+            rows = [(*row[:4], float(row[4]), *row[5:], *nobody) for row in lines[1:]]
         except ValueError as error:
             raise StoreError(
                 f"{path} is not as workbook score wrote it ({error}): correct it, or move it away"
@@ -299,12 +349,10 @@ class Store:
             self._insert_manual(rows)
 
     def manual(self, assignment):
-        """Return {(student, problem, answer): (points, comment)} entered by hand."""
+        """Return the `HandPoints` by (student, problem, answer)."""
         rows = self._database.execute(
-            "SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?",
+            "SELECT student, problem, answer, points, comment, giver FROM manual "
+            "WHERE assignment = ?",
             (assignment,),
         )
-        return {
-            (student, problem, answer): (points, comment)
-            for student, problem, answer, points, comment in rows
-        }
+        return {tuple(key): HandPoints(*given) for *key, given in ((*r[:3], r[3:]) for r in rows)}

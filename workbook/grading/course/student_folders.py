@@ -12,6 +12,7 @@ from workbook.grading.course import numbers
 from workbook.grading.course.assignment import POOL, InputError
 from workbook.grading.course.handing_out import file_name, release
 from workbook.grading.course.record import put
+from workbook.grading.sandbox.sanitising import portable_name
 from workbook.notebooks import exercises
 
 FOLDER = "students"
@@ -143,4 +144,4 @@ def _write_folder(target, student, homework, site):
 
 
 def _is_folder_name(student):
-    return bool(student.strip(" .")) and not {"/", "\\", "\0"} & set(student) and student[0] != "."
+    return bool(student) and student[0] != "." and student == portable_name(student)

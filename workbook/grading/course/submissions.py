@@ -8,6 +8,7 @@ reason why it earns nothing.
 import hashlib
 import os
 import re
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,6 +16,7 @@ from pathlib import Path
 from workbook.grading.course import ledger, objections
 from workbook.grading.course.assignment import RESERVED_NAMES
 from workbook.grading.course.ledger import KNOWN, UNKNOWN
+from workbook.grading.course.policy import Budget
 from workbook.grading.sandbox import submitted_file
 from workbook.grading.sandbox.sanitising import normalise_name, sanitise_name
 
@@ -51,6 +53,9 @@ class Submission:
         What is known of the time: one of those in `ledger`.
     names_in_text : tuple of str
         What its cells of text assign, which is not run.
+    rank : tuple
+        Among what the student handed in at the same time, by the system that took it: the first
+        time of the file, then what orders them. Empty where no system says so.
     """
 
     student: str
@@ -63,6 +68,7 @@ class Submission:
     trouble: str = ""
     timing: str = KNOWN
     names_in_text: tuple = ()
+    rank: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -104,25 +110,28 @@ def students(root):
     return list(dict.fromkeys(folders + [entry.student for entry in ledger.read(root)]))
 
 
-def find(root):
+def find(root, budget_of=lambda assignment: Budget()):
     """Yield each `Submission` and `LeftAside` below `root`, by student, assignment and file.
 
-    A notebook that the ledger has at several times is yielded once for each.
+    A notebook that the ledger has at several times is yielded once for each. What exceeds a
+    student's `Budget` for a homework, which `budget_of` returns, is left aside.
     """
     entries, times = ledger.read(root), {}
     for entry in entries:
         if entry.file:
             key = (entry.student, entry.assignment, entry.file)
-            times.setdefault(key, []).append((entry.when, entry.timing))
+            times.setdefault(key, []).append((entry.when, entry.timing, entry.rank))
     yield from _left_aside(entries)
-    for student in _folders(Path(root)):
-        if isinstance(student, LeftAside):
-            yield student
-            continue
-        try:
-            yield from _of_student(student, normalise_name(student.name), times)
-        except (FileNotFoundError, NotADirectoryError):
-            yield _gone(student, normalise_name(student.name))
+    with submitted_file.Reader() as reader:
+        for student in _folders(Path(root)):
+            if isinstance(student, LeftAside):
+                yield student
+                continue
+            try:
+                name = normalise_name(student.name)
+                yield from _of_student(student, name, times, reader, budget_of)
+            except (FileNotFoundError, NotADirectoryError):
+                yield _gone(student, normalise_name(student.name))
     for student, assignment, file in times:  # what no folder has
         yield LeftAside(
             f"{student}/{assignment}/{file}",
@@ -153,15 +162,16 @@ def _left_aside(entries):
             )
 
 
-def _of_student(folder, student, times):
+def _of_student(folder, student, times, reader, budget_of):
     for assignment in _folders(folder, student):
         if isinstance(assignment, LeftAside):
             yield assignment
         else:
-            yield from _of_homework(assignment, student, normalise_name(assignment.name), times)
+            name = normalise_name(assignment.name)
+            yield from _of_homework(assignment, student, name, times, reader, budget_of(name))
 
 
-def _of_homework(folder, student, assignment, times):
+def _of_homework(folder, student, assignment, times, reader, budget):
     if assignment in RESERVED_NAMES or len(assignment.encode()) > 255:
         reason = (
             "the folder of results needs this name for itself"
@@ -176,17 +186,19 @@ def _of_homework(folder, student, assignment, times):
     }
     notebooks = [path for path in times_by_path if _is_notebook(path)]
     stamped = not times_by_path.get(folder / TIMESTAMP)  # else a student handed that in
-    for path in notebooks:
-        notebook = _read(student, assignment, path)
+    for path, over in _over_budget(notebooks, times_by_path, budget):
+        if over:
+            yield LeftAside(sanitise_name(path), over, student, assignment, by_hand=True)
+            continue
+        notebook = _read(student, assignment, path, reader)
         if isinstance(notebook, LeftAside):
             yield notebook
             continue
-        by_file = (notebook.submitted, KNOWN)
-        times_of_file = times_by_path[path] or [
-            _nbgrader_time(folder, *by_file) if stamped else by_file
-        ]
-        for when, timing in times_of_file:
-            yield replace(notebook, submitted=when, timing=timing)
+        times_of_file = times_by_path[path] or [_time(folder, path, notebook.submitted, stamped)]
+        first = min(when for when, _, _ in times_of_file)
+        for when, timing, rank in times_of_file:
+            rank = (first, *rank) if rank else ()
+            yield replace(notebook, submitted=when, timing=timing, rank=rank)
     below = [
         path
         for inner in _folders(folder, student, assignment)
@@ -230,19 +242,44 @@ def _of_homework(folder, student, assignment, times):
         )
 
 
-def _nbgrader_time(folder, of_file, timing):
-    """Return (time, what is known of it) by nbgrader's note, or by the file if there is none."""
+def _over_budget(notebooks, times_by_path, budget):
+    """Return (path, why it exceeds the budget, else "") of each notebook; the earliest fit first."""
+    sizes, over, bytes_left = {}, {}, budget.megabytes * 2**20
+    for path in notebooks:
+        with suppress(OSError):  # it is gone, or cannot be read: reading it says so
+            status = path.lstat()
+            known = times_by_path[path]
+            sizes[path] = (min(known)[0] if known else status.st_mtime, status.st_size)
+    for number, path in enumerate(sorted(sizes, key=sizes.get)):
+        size = sizes[path][1]
+        if number >= budget.notebooks:
+            over[path] = (
+                f"the student has more than {budget.notebooks} notebooks here ([budget] in "
+                "assignment.toml)"
+            )
+        elif size > bytes_left and size <= submitted_file.MAX_FILE:
+            over[path] = (
+                f"the student's notebooks here have more than {budget.megabytes:g} MB together "
+                "([budget] in assignment.toml)"
+            )
+        elif size <= submitted_file.MAX_FILE:  # a larger one is not read
+            bytes_left -= size
+    return [(path, over.get(path, "")) for path in notebooks]
+
+
+def _time(folder, path, of_file, stamped):
+    """Return (time, what is known of it, rank) by nbgrader's note, or by the file if there is none."""
     note = folder / TIMESTAMP
-    if note.is_symlink() or not note.is_file():
-        return of_file, timing
+    if not stamped or note.is_symlink() or not note.is_file():
+        return of_file, KNOWN, ()
     try:
         with open(note, encoding="utf-8") as file:
             text = re.sub(r"\s*UTC\Z", "+00:00", file.read(100).strip())
         when = datetime.fromisoformat(text)
         when = when if when.tzinfo else when.replace(tzinfo=UTC)
-        return min(max(when.timestamp(), 0.0), MAX_TIME), KNOWN
+        return min(max(when.timestamp(), 0.0), MAX_TIME), KNOWN, (path.name,)
     except (OSError, ValueError, OverflowError):
-        return of_file, UNKNOWN
+        return of_file, UNKNOWN, ()
 
 
 def _folders(path, student="", assignment=""):
@@ -297,12 +334,12 @@ def _misplaced(path, student="", assignment=""):
     )
 
 
-def _read(student, assignment, path):
-    content, cells, names, trouble, number = b"", (), (), "", None
+def _read(student, assignment, path, reader):
+    content, trouble, read = b"", "", submitted_file.Notebook(None, (), ())
     try:
         submitted = min(max(path.lstat().st_mtime, 0.0), MAX_TIME)
         content = submitted_file.content(path)
-        number, cells, names = submitted_file.notebook(content)
+        read = reader.notebook(content)
     except submitted_file.UnreadableFileError as error:
         trouble = str(error)
     except OSError as error:  # missing rights or a bad disk: not an attempt of the student's
@@ -319,8 +356,8 @@ def _read(student, assignment, path):
         sanitise_name(path),
         fingerprint,
         submitted,
-        number or submitted_file.number_of_name(path.stem),
-        cells,
+        read.number or submitted_file.number_of_name(path.stem),
+        read.cells,
         trouble,
-        names_in_text=names,
+        names_in_text=read.names_in_text,
     )

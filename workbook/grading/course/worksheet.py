@@ -16,6 +16,9 @@ from workbook.grading.course.csv_files import parse, read_text
 from workbook.grading.course.roster import duplicates
 
 PARTICIPANT = re.compile(r"(?P<word>\D*[^\W\d_]\D*?)\s*(?P<number>\d+)")
+#: Characters of a cell that may be a participant, an address or a date; a student's text is longer,
+#: and patterns are not to search it.
+MAX_CELL = 300
 ADDRESS = re.compile(r"[^/\s.][^/\s]*@[^/\s]+")
 #: What Moodle writes in place of a time that is not there.
 NO_TIME = "-"
@@ -63,15 +66,15 @@ class Participant:
     submitted: float | None
 
 
-def read(path):
+def read(path, zone=None):
     """Return {number: `Participant`} from Moodle's grading worksheet.
-
-    Times are read as those of this computer's time zone, since Moodle writes none.
 
     Parameters
     ----------
     path : path
-        The file, as Moodle wrote it or a spreadsheet saved it, in UTF-8.
+        The file, as Moodle wrote it or a spreadsheet saved it.
+    zone : datetime.tzinfo, optional
+        The time zone of the lecturer at Moodle, which writes none; by default this computer's.
 
     Returns
     -------
@@ -84,7 +87,9 @@ def read(path):
         If the file is no such worksheet, or names two participants alike.
     """
     _, lines = parse(read_text(path))
-    columns = list(zip(*lines[1:]))
+    columns = list(
+        zip(*([cell if len(cell) <= MAX_CELL else "" for cell in line] for line in lines[1:]))
+    )
     identifiers = max(columns, key=_participants, default=())
     if not identifiers or _participants(identifiers) == 0:
         raise InputError(
@@ -101,14 +106,18 @@ def read(path):
     names = _names(columns, identifiers, matches)
     times = _submission_times(columns)
     return {
-        number: Participant(name, address.strip() if _is_address(address) else "", time(submitted))
+        number: Participant(
+            name, address.strip() if _is_address(address) else "", time(submitted, zone)
+        )
         for number, name, address, submitted in zip(numbers, names, addresses, times)
         if number
     }
 
 
-def time(text):
+def time(text, zone=None):
     """Return the seconds since 1970 of a date as Moodle writes it, or None if it cannot be read.
+
+    The date is of a time `zone`, by default this computer's.
 
     >>> time("Tuesday, 1 September 2026, 2:14 PM") == time("вторник, 1 сентября 2026, 14:14")
     True
@@ -121,7 +130,8 @@ def time(text):
         hour = hour % 12 + 12 * (half.lower() == "p")
     date = _date(text[: clock.start()] + " " + text[clock.end() :])
     try:
-        return datetime(*date, hour, minute, second).timestamp() if date else None
+        when = datetime(*date, hour, minute, second, tzinfo=zone) if date else None
+        return when.timestamp() if when else None
     except (ValueError, OverflowError):
         return None
 
@@ -154,12 +164,18 @@ def _is_address(cell):
 
 
 def _names(columns, identifiers, matches):
-    """Return the names beside the identifiers, or the word of these where names are hidden."""
+    """Return the names beside the identifiers, or the word of these where names are hidden.
+
+    Then there are no addresses either, and beside the identifiers is a status, one of a few, or
+    with a number of days. A name may have a digit.
+    """
     neighbours = columns[(columns.index(identifiers) + 1) % len(columns)]
-    are_names = not any(re.search(r"[\d@]", cell) for cell in neighbours) and (
-        len(set(neighbours)) > len(neighbours) / 2
-    )
-    return neighbours if are_names else [match["word"] if match else "" for match in matches]
+    likely = {cell for cell in neighbours if not re.search(r"[\d@]", cell)}
+    others = [column for column in columns if column is not neighbours]
+    has_addresses = any(_is_address(cell) for column in others for cell in column)
+    if has_addresses or len(likely) > len(neighbours) / 2:
+        return neighbours
+    return [match["word"] if match else "" for match in matches]
 
 
 def _submission_times(columns):

@@ -12,7 +12,8 @@ from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import numbers
-from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.assignment import BY_HAND, AssignmentError
+from workbook.grading.course.policy import Budget
 from workbook.grading.course.record import put_bytes
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
@@ -25,7 +26,10 @@ DATE = (2012, 1, 1, 0, 0, 0)
 
 
 def make(folder, name, out):
-    """Write the bundle for the homework `folder`/`name` to a file; return the `Assignment`."""
+    """Write the bundle for the homework `folder`/`name` to a file.
+
+    Returns (the `Assignment` without points by hand, sentences on what Gradescope cannot do of it).
+    """
     file = Path(folder) / name / "assignment.toml"
     homework = assignments.read(file)
     if homework.pool or file.with_name(numbers.NAME).is_file():
@@ -48,7 +52,33 @@ def make(folder, name, out):
             }
         ),
     )
-    return homework
+    return homework.automatic, _left_out(homework)
+
+
+def _left_out(homework):
+    policy, notes = homework.policy, []
+    if homework.by_hand:
+        items = ", ".join(f"{n} ({worth:g})" for n, worth in homework.points[BY_HAND].items())
+        notes.append(f"points by hand are given at Gradescope: {items}")
+    if unknown := sorted(name for name in policy.students if "@" not in name):
+        notes.append(
+            "Gradescope knows students by their addresses, so extensions, exemptions and labels do "
+            f"not reach {', '.join(unknown)}"
+        )
+    if policy.grace_days:
+        notes.append(
+            "Gradescope knows one homework only, so grace_days of the course are not applied there"
+        )
+    if policy.budget != Budget():
+        notes.append(
+            "[budget] does not hold there: Gradescope itself limits how long a submission may run"
+        )
+    if policy.due:
+        notes.append(
+            "set no due date there, or allow late submissions: lateness, bonus and extensions count "
+            "as assignment.toml says"
+        )
+    return notes
 
 
 def _wheel():

@@ -13,7 +13,8 @@ import sys
 from dataclasses import asdict
 
 from workbook.grading.sandbox import isolation, notebook_worker, seccomp, system_calls
-from workbook.grading.sandbox.sandbox import Outcome, Sandbox
+from workbook.grading.sandbox.limits import Outcome
+from workbook.grading.sandbox.sandbox import Sandbox
 
 
 class OwnUser(Sandbox):
@@ -74,7 +75,7 @@ def run_as(user, group, limits, modules):
     user, group : int
         Numeric ids.
     limits : dict
-        As of `sandbox.Limits`.
+        As of `limits.Limits`.
     modules : list of str
         What the notebook finds imported.
     """

@@ -3,14 +3,16 @@
 A task has the code cells of a notebook; the result has verdicts and remarks, all plain data.
 """
 
-import os
-from dataclasses import asdict, replace
+import json
+from dataclasses import asdict, dataclass, replace
+
+import psutil
 
 from workbook.checks.contract.verdict import MISSING, Verdict
 from workbook.grading.pool import copying
 from workbook.grading.pool.judging import Bounds, Judge, Judgement
-from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, preload
-from workbook.grading.sandbox.sandbox import Limits, Sandbox, Unsandboxed
+from workbook.grading.sandbox.limits import Limits
+from workbook.grading.sandbox.preloading import ALWAYS, preload
 from workbook.notebooks import exercises
 
 
@@ -32,21 +34,55 @@ def with_text_cells(judgement, names):
     return replace(judgement, remarks=judgement.remarks + remarks)
 
 
+@dataclass(frozen=True)
+class Task:
+    """A notebook to be graded.
+
+    Parameters
+    ----------
+    problem : str
+        Its problem or variant.
+    direction : bool
+        Whether verdicts say in which direction a number is wrong.
+    sources : sequence of str
+        Its code cells.
+    other_variants : sequence of str
+        Names of the same problem with other numbers, on which wrong answers are judged once more.
+    key : int
+        What its result comes back with.
+    names : sequence of str
+        Names of the answers.
+    """
+
+    problem: str
+    direction: bool
+    sources: tuple
+    other_variants: tuple = ()
+    key: int = 0
+    names: tuple = ()
+
+    def to_json(self):
+        """Return the parts that grading needs, as JSON bytes: none of them is about the student."""
+        sent = ("problem", "direction", "sources", "other_variants")
+        return json.dumps({part: getattr(self, part) for part in sent}).encode()
+
+    @classmethod
+    def from_json(cls, content):
+        """Return the task that `to_json` made bytes of."""
+        return cls(**json.loads(content))
+
+
 class Grader:
     """A sandbox and a judge that grade one task after the other; use it as a context manager.
 
     Parameters
     ----------
-    limits : Limits
-        Those of each notebook.
+    sandbox : Sandbox or WasmSandbox
+        Where notebooks run; it is not yet entered.
     bounds : Bounds
-        Those of judging it.
-    trusting : bool
-        Whether notebooks run without a sandbox.
-    forkserver : Forkserver, optional
-        One from which the sandbox is forked; this process must then have all that judging needs.
-    modules : sequence of str
-        What notebooks find imported, besides what `forkserver` has imported.
+        Those of judging a notebook.
+    has_checks : bool
+        Whether this process, or the one that it makes to judge, needs nothing to be imported first.
 
     Raises
     ------
@@ -54,19 +90,8 @@ class Grader:
         On entering, where there is no sandbox.
     """
 
-    def __init__(
-        self,
-        limits=Limits(),
-        bounds=Bounds(),
-        trusting=False,
-        forkserver=None,
-        modules=(*ALWAYS, *LIBRARIES),
-    ):
-        self._sandbox = (Unsandboxed if trusting else Sandbox)(
-            limits, forkserver=forkserver, modules=modules
-        )
-        self._judge = Judge(bounds)
-        self._has_checks = forkserver is not None
+    def __init__(self, sandbox, bounds=Bounds(), has_checks=False):
+        self._sandbox, self._judge, self._has_checks = sandbox, Judge(bounds), has_checks
 
     def __enter__(self):
         self._sandbox.start()  # it imports what notebooks need while checks are imported here
@@ -85,24 +110,20 @@ class Grader:
         self._sandbox.__exit__(*error)
 
     def grade(self, task):
-        """Return the judgement, as plain data, on a task.
-
-        It is {"problem": .., "direction": whether verdicts say it, "sources": [..], "other
-        variants": names of the same problem with other numbers, on which wrong answers are judged
-        once more}.
-        """
-        exercise = exercises.find(task["problem"])
-        exercise = exercise if task["direction"] else exercises.in_homework(exercise)
+        """Return the judgement, as plain data, on a `Task`."""
+        exercise = exercises.find(task.problem)
+        exercise = exercise if task.direction else exercises.in_homework(exercise)
         self._sandbox.start_run(
-            task["sources"],
+            task.sources,
             exercise.about["answers"],
-            before=_missing_data_cells(exercise, task["sources"]),
+            before=_missing_data_cells(exercise, task.sources),
         )
         self._judge.prepare(exercise)  # while the notebook runs
-        outcome = self._sandbox.finish_run()
+        outcome, before = self._sandbox.finish_run(), self._judge.seconds_used
         judgement = self._judge.judge(exercise, outcome)
-        remarks = copying.remarks(judgement, task.get("other variants", ()), outcome, self._judge)
-        return to_plain(replace(judgement, remarks=(*judgement.remarks, *remarks)))
+        remarks = copying.remarks(judgement, task.other_variants, outcome, self._judge)
+        seconds = outcome.seconds + self._judge.seconds_used - before
+        return to_plain(replace(judgement, remarks=(*judgement.remarks, *remarks), seconds=seconds))
 
 
 def _missing_data_cells(exercise, sources):
@@ -129,13 +150,18 @@ def from_plain(data):
     """Return the `Judgement` that `to_plain` made plain data of."""
     verdicts = {name: Verdict(**verdict) for name, verdict in data["verdicts"].items()}
     return Judgement(
-        verdicts, data["answers"], tuple(data["remarks"]), data["final"], data.get("hashes", {})
+        verdicts,
+        data["answers"],
+        tuple(data["remarks"]),
+        data["final"],
+        data.get("hashes", {}),
+        data.get("seconds", 0.0),
     )
 
 
 def fit_memory(limits, count):
     """Return the limits with less memory, so that `count` workers leave half of the machine's."""
-    megabytes = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
+    megabytes = psutil.virtual_memory().total // 2**20
     return replace(
         limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count))
     )

@@ -1,20 +1,22 @@
 """Judging: decode what a notebook handed over, and run the exercise's check cells on it.
 
-A forked child judges, within bounds on time and memory, since an answer can be an expression built
-to explode. It runs nothing of a student's, only our own cells on data, as a kernel does in which
-check cells run again and again: so it judges one notebook after the other, and a fork for each
-would cost more than most judgements do. An unusual judgement is repeated by a fresh child, and the
-child that gave it judges nothing else. If the whole notebook cannot be judged within the bounds,
-its answers are judged one by one, each in a child of its own, so that one exploding answer costs
-only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
+A child judges, within bounds on time and memory, since an answer can be an expression built to
+explode: the kernel keeps the bounds on Linux, elsewhere the parent does. The child runs nothing of
+a student's, only our own cells on data, as a kernel does in which check cells run again and again:
+so it judges one notebook after the other, and a child for each would cost more than most judgements
+do. An unusual judgement is repeated by a fresh child, and the child that gave it judges nothing
+else. If the whole notebook cannot be judged within the bounds, its answers are judged one by one,
+each in a child of its own, so that one exploding answer costs only itself; it becomes `unchecked`,
+which a lecturer has to look at, never wrong and never right.
 """
 
 import hashlib
 import json
+import math
 import multiprocessing
+import os
 import random
 import re
-import resource
 import sys
 import time
 from contextlib import suppress
@@ -26,7 +28,6 @@ from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
 from workbook.grading.sandbox.sanitising import sanitise
 from workbook.grading.sandbox.submitted_file import MAX_CELLS
-from workbook.grading.sandbox.system_calls import address_space_bytes, die_with_parent
 from workbook.notebooks.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 
 #: The remark on a notebook that handed nothing over, by how it ended: whose doing it was, and what.
@@ -38,13 +39,14 @@ END_REMARKS = {
     "large": "limits: the notebook handed over more than allowed",
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: it failed on this notebook",
+    "elsewhere": "grader: this notebook waits for a machine with Linux",
 }
 #: Seconds in which every honest answer can be judged: each one gets so many while any time is left.
 MIN_ANSWER_SECONDS = 5
 NEVER_ASSIGNED = (
     "no cell of the notebook assigned this variable: was it renamed, or did its cell fail?"
 )
-FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
+FINAL, WITHIN_LIMITS, NOT_FINAL, ELSEWHERE = "yes", "within limits", "no", "elsewhere"
 
 
 @dataclass(frozen=True)
@@ -84,9 +86,12 @@ class Judgement:
         "grader".
     final : str
         "yes"; "within limits" if other limits could change it; "no" if the grader itself failed,
-        so that the notebook is to be graded again.
+        so that the notebook is to be graded again; "elsewhere" if it is to be graded on a machine
+        with Linux.
     hashes : dict
         Hashes of the whole encoded answers.
+    seconds : float
+        Of computing that running and judging the notebook took.
     """
 
     verdicts: dict
@@ -94,6 +99,7 @@ class Judgement:
     remarks: tuple
     final: str = FINAL
     hashes: dict = field(default_factory=dict)
+    seconds: float = field(default=0.0, compare=False)
 
 
 def judge(exercise, outcome, bounds=Bounds()):
@@ -109,11 +115,12 @@ class Judge:
     """Judges one notebook after the other.
 
     Call `prepare` for an exercise while the notebook still runs, then `judge` with its outcome, and
-    `end` after the last one.
+    `end` after the last one. `seconds_used` is the processor time of all judgements so far.
     """
 
     def __init__(self, bounds=Bounds()):
         self._bounds, self._process = bounds, None
+        self.seconds_used = 0.0
 
     def prepare(self, exercise):
         """Start the judging process for an exercise, unless there is one."""
@@ -135,6 +142,7 @@ class Judge:
                 )
             except RuntimeError as error:
                 judgement, fresh = None, fresh or isinstance(error, TimeLimit)
+            self.seconds_used += self._process.seconds_used
             unusual = judgement is None or any(
                 v.status == UNCHECKED for v in judgement.verdicts.values()
             )
@@ -144,7 +152,10 @@ class Judge:
                 return judgement
             remaining -= time.monotonic() - began
             if fresh or remaining < 1:
-                return _one_by_one(cells, outcome.handed_over, names, self._bounds)
+                before = _seconds_of_children()
+                judgement = _one_by_one(cells, outcome.handed_over, names, self._bounds)
+                self.seconds_used += _seconds_of_children() - before
+                return judgement
 
     def end(self):
         """End the judging process."""
@@ -169,6 +180,10 @@ def _without_answers(names, outcome):
     details = sanitise(outcome.handed_over.decode("utf-8", "replace")[:200])
     if outcome.ended == "failed":
         return grader_failure(names, details)
+    if outcome.ended == "elsewhere":
+        verdict = Verdict(UNCHECKED, f"waits to be graded on a machine with Linux: {details}")
+        remark = f"{END_REMARKS['elsewhere']} ({details})"
+        return Judgement(dict.fromkeys(names, verdict), {}, (remark,), ELSEWHERE)
     remark = END_REMARKS[outcome.ended] + (f" ({details})" if outcome.ended == "died" else "")
     return Judgement(
         dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")),
@@ -193,7 +208,7 @@ def _one_by_one(cells, handed_over, names, bounds):
                 "a lecturer has to look at it",
             )
             continue
-        process, before = _JudgingProcess(cells), _cpu_seconds_of_children()
+        process, before = _JudgingProcess(cells), _seconds_of_children()
         try:
             judgement = process.judgement(
                 handed_over, cells, names, seconds, bounds.memory_megabytes, only=name
@@ -215,37 +230,43 @@ def _one_by_one(cells, handed_over, names, bounds):
             )
         finally:
             process.end()
-        remaining -= _cpu_seconds_of_children() - before
+        remaining -= _seconds_of_children() - before
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
 
-def _cpu_seconds_of_children():
-    """Return the processor time of all children that have ended."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
+def _seconds_of_children():
+    """Return the processor time of all children that have ended.
+
+    Windows does not tell, so there it is the time that has elapsed.
+    """
+    if sys.platform == "win32":
+        return time.monotonic()
+    used = os.times()
+    return used.children_user + used.children_system
 
 
 class _JudgingProcess:
     """A child that judges one notebook after the other; it first runs the data cells of `cells`.
 
-    `fresh` is whether it has judged nothing yet; `has_grown`, whether it should judge no more.
+    `fresh` is whether it has judged nothing yet; `has_grown`, whether it should judge no more;
+    `seconds_used` is the processor time of the last judgement.
     """
 
     def __init__(self, cells):
         receiver, self._sender = CONTEXT.Pipe(duplex=False)
         self._child = Child(_serve, receiver, self._sender, cells)
-        self.fresh, self.has_grown = True, False
+        self.fresh, self.has_grown, self.seconds_used = True, False, 0.0
         receiver.close()
 
     def judgement(self, handed_over, cells, names, seconds, megabytes, only=None):
         """Judge all answers, or `only` one; raise `TimeLimit` or another `RuntimeError`."""
-        self.fresh = False
+        self.fresh, self.seconds_used = False, seconds  # if it ends without a result
         with suppress(OSError):  # it has died, which reading its result shows
             self._sender.send_bytes(json.dumps([cells, names, seconds, megabytes, only]).encode())
             self._sender.send_bytes(handed_over)
-        verdicts, answers, remarks, stopped, hashes, self.has_grown = self._child.result(
-            timeout=3 * seconds
-        )
+        memory = math.inf if sys.platform == "linux" else megabytes * 2**20
+        result = self._child.result(timeout=3 * seconds, memory=memory)
+        verdicts, answers, remarks, stopped, hashes, self.has_grown, self.seconds_used = result
         return Judgement(
             {name: Verdict(*verdict) for name, verdict in verdicts.items()},
             answers,
@@ -268,17 +289,21 @@ MAX_GROWTH = 2**29
 def _serve(receiver, sender, cells):
     """Judge each request until the pipe closes."""
     if sys.platform == "linux":
+        from workbook.grading.sandbox.system_calls import die_with_parent
+
         die_with_parent(multiprocessing.parent_process().pid)
     sender.close()  # or the pipe would not end when the parent closes its copy
     _after_data_cells(tuple(cells))
-    size_at_start = address_space_bytes()
+    size_at_start = _address_space_bytes()
     with suppress(EOFError):
         while True:
             cells, names, seconds, megabytes, only = json.loads(receiver.recv_bytes())
+            began = time.process_time()
             _reset()
             _set_limits(seconds, megabytes)
             result = _judge(receiver.recv_bytes(), tuple(map(tuple, cells)), names, only)
-            yield [*result, address_space_bytes() > size_at_start + MAX_GROWTH]
+            has_grown = _address_space_bytes() > size_at_start + MAX_GROWTH
+            yield [*result, has_grown, time.process_time() - began]
 
 
 def _reset():
@@ -293,11 +318,24 @@ def _reset():
 
 
 def _set_limits(seconds, megabytes):
-    """Limit what this process may use from now on."""
-    memory = address_space_bytes() + megabytes * 2**20
+    """Limit what this process may use from now on, where the kernel does that."""
+    if sys.platform != "linux":
+        return
+    import resource
+
+    memory = _address_space_bytes() + megabytes * 2**20
     cpu_time = int(time.process_time() + seconds) + 1
     for kind, bound in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, cpu_time)):
         resource.setrlimit(kind, (bound, resource.getrlimit(kind)[1]))
+
+
+def _address_space_bytes():
+    """Return the bytes of address space of this process; 0 where only the parent limits it."""
+    if sys.platform != "linux":
+        return 0
+    from workbook.grading.sandbox.system_calls import address_space_bytes
+
+    return address_space_bytes()
 
 
 @lru_cache(maxsize=16)
@@ -325,7 +363,9 @@ def _judge(handed_over, cells, names, only):
             handed_over, [name for name in names if only in (None, name)]
         )
         values = decoded(encoded, unreadable, names)
-        parsed["never assigned"] = set(names) - {*encoded, *unreadable, *cell_watch.stopped}
+        parsed["never assigned"] = set(names) - {
+            *(*encoded, *unreadable, *cell_watch.stopped, *cell_watch.meant)
+        }
         parsed["texts"] = {name: _short_text(values[name]) for name in encoded}
         parsed["hashes"] = {
             name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
@@ -367,7 +407,7 @@ def _parse(handed_over, names):
         encoded, unreadable, errors, stopped = (
             outcome[key] for key in ("encoded", "unreadable", "errors", "stopped")
         )
-        cell_watch.recall(outcome.get("failed", {}), outcome.get("overwritten", {}))
+        cell_watch.recall(*(outcome.get(notes, {}) for notes in ("failed", "overwritten", "meant")))
         if not (
             type(errors) is type(stopped) is list
             and _are_texts([*encoded.items(), *unreadable.items(), errors])
@@ -375,7 +415,7 @@ def _parse(handed_over, names):
         ):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        cell_watch.recall({}, {})
+        cell_watch.recall({}, {}, {})
         return {}, {}, ["notebook: what it handed over cannot be read"], False
     # All texts of the notebook are marked as such, since they could pretend to be the grader's.
     remarks = [f"notebook: {sanitise(error[:400])}" for error in errors[:20]]

@@ -1,8 +1,6 @@
 """Worker pool: processes that each grade one notebook after the other with a `Grader`.
 
-Tasks go in and results come back as they are done, both as JSON bytes. A task is a dict with
-"problem", "direction" (whether verdicts say in which direction a number is wrong) and "sources" (of
-the code cells), here also with "key" and "names" (of the answers).
+A `grader.Task` goes in and its result comes back as it is done, both as JSON bytes.
 """
 
 import json
@@ -12,11 +10,11 @@ import signal
 import sys
 from contextlib import suppress
 
-from workbook.grading.pool.grader import Grader, from_settings, to_plain
+from workbook.grading.pool.grader import Grader, Task, from_settings, to_plain
 from workbook.grading.pool.judging import grader_failure
 from workbook.grading.sandbox import framing, sandbox
 from workbook.grading.sandbox.forkserver import WORKER_PROCESS, Forkserver
-from workbook.grading.sandbox.isolation import ProcessStartError, SandboxUnavailableError
+from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES
 
 
@@ -33,8 +31,8 @@ def grade_all(tasks, count, settings, forkserver=None):
 
     Parameters
     ----------
-    tasks : iterable of dict
-        With "key", "problem", "direction", "sources", "names".
+    tasks : iterable of Task
+        The notebooks.
     count : int
         Number of worker processes.
     settings : dict
@@ -71,7 +69,7 @@ def grade_all(tasks, count, settings, forkserver=None):
                 task = busy.pop(worker)
                 result = worker.receive_result()
                 if result is None:
-                    result = to_plain(grader_failure(task["names"], "one of its processes ended"))
+                    result = to_plain(grader_failure(task.names, "one of its processes ended"))
                     worker.stop()
                     # If it has died, this is the first of its worker processes to be noticed.
                     if not forkserver.alive():
@@ -85,7 +83,7 @@ def grade_all(tasks, count, settings, forkserver=None):
                 following = worker.send_next(waiting)  # it runs while this result is stored
                 if following is not None:
                     busy[worker] = following
-                yield task["key"], result
+                yield task.key, result
     finally:
         for worker in workers:
             worker.terminate()
@@ -171,13 +169,13 @@ class WorkerProcess:
         """Send the next task of an iterator and return it; None if there is none."""
         task = next(waiting, None)
         if task is not None:
-            self.send(task)
+            self.send(task.to_json())
         return task
 
     def send(self, task):
-        """Send a task."""
+        """Send a task as the JSON bytes of one."""
         with suppress(BrokenPipeError):  # it has died, which `receive_result` shows
-            framing.send(self._requests, json.dumps(task).encode())
+            framing.send(self._requests, task)
 
     def alive(self):
         """Return whether the process runs."""
@@ -237,12 +235,13 @@ def run_worker(settings, bubblewrap):
         limits, bounds, trusting = from_settings(settings)
         idle_seconds = settings.get("idle_seconds", math.inf)
         try:
-            with Grader(
-                limits, bounds, trusting, forkserver, modules(settings)["notebooks"]
-            ) as grader:
+            inside = (sandbox.Unsandboxed if trusting else sandbox.Sandbox)(
+                limits, forkserver=forkserver, modules=modules(settings)["notebooks"]
+            )
+            with Grader(inside, bounds, has_checks=True) as grader:
                 framing.send(results, b'{"ready": true}')
                 while True:
-                    result = grader.grade(json.loads(framing.receive(0, idle_seconds)))
+                    result = grader.grade(Task.from_json(framing.receive(0, idle_seconds)))
                     if not forkserver.alive():
                         # No further sandbox is available: another worker process replaces this one.
                         return

@@ -3,7 +3,9 @@
 Everything else is in the files.
 """
 
+from workbook.grading.course import ledger
 from workbook.grading.course.handing_out import due_text
+from workbook.grading.course.ledger import IN_TIME, LATE, UNKNOWN
 from workbook.grading.reports.canvas import Gradebook, different_points
 from workbook.grading.reports.pages import count
 
@@ -67,10 +69,18 @@ def print_summary(console, folder, assignment, graded, changes, file):
             f"{', '.join(sorted(unknown))}",
             style="yellow",
         )
-    if untimed := sum(bool(score.untimed) for score in graded):
+    timings = [{score.counted[problem].timing for problem in score.untimed} for score in graded]
+    if untimed := sum(UNKNOWN in of_student for of_student in timings):
         print_line(
             f"  of {count(untimed, 'student')} it is not known when they handed in, which costs them "
             "nothing: workbook collect --worksheet reads it from Moodle",
+            style="yellow",
+        )
+    if marked := sum(bool(of_student & {LATE, IN_TIME}) for of_student in timings):
+        print_line(
+            f"  of {count(marked, 'student')} Canvas says only whether it was late, which costs and "
+            f"gains them nothing: write the time into the column submitted of {ledger.NAME}, as "
+            "2026-10-02 10:00:00+03:00",
             style="yellow",
         )
     waiting, unusable = (

@@ -8,6 +8,7 @@ to Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
 
 import json
 import re
+import time
 from datetime import UTC, datetime
 
 from workbook.checks.contract.verdict import RIGHT, UNCHECKED
@@ -26,9 +27,11 @@ def grades_csv(assignment, scores):
         "student",
         *assignment.points,
         "total",
+        "before lateness",
         "max",
         "handed in",
         "late",
+        "grace days used",
         "time unknown",
         "needs review",
     ]
@@ -42,9 +45,11 @@ def grades_csv(assignment, scores):
                 for problem in assignment.points
             ),
             decimal(score.points),
+            decimal(score.points_before_lateness),
             decimal(score.max_points),
             "yes" if score.handed_in else "no",
             " ".join(score.late),
+            str(score.grace_days_used or ""),
             " ".join(score.untimed),
             "yes" if score.needs_review else "no",
         ]
@@ -94,12 +99,18 @@ def without_formula(cell):
 # For other systems
 
 
-def moodle_csv(assignment, scores):
+def moodle_csv(assignment, scores, now=None):
     """Return a table for Moodle's import, with a column of grades and one of feedback.
 
     Importing feedback without the grade would delete grades, so a student without one has no row.
+    Who handed in nothing by the due date has no points; `now` is the time in seconds since 1970.
     """
-    final_scores = [score for score in scores if score.handed_in and not score.needs_review]
+    now = time.time() if now is None else now
+    final_scores = [
+        score
+        for score in scores
+        if not score.needs_review and (score.handed_in or _has_missed(score, assignment, now))
+    ]
     identity = (
         "Email address"
         if final_scores and all("@" in score.student for score in final_scores)
@@ -107,6 +118,12 @@ def moodle_csv(assignment, scores):
     )
     rows = [[score.student, decimal(score.points), _feedback(score)] for score in final_scores]
     return quoted([[identity, assignment.title, f"{assignment.title} (feedback)"], *rows])
+
+
+def _has_missed(score, assignment, now):
+    """Return whether a student has handed in nothing, and the due date is over if there is one."""
+    due = assignment.policy.due_of(score.student)
+    return score.is_absent and (due is None or due.timestamp() < now)
 
 
 def nbgrader_csv(assignment, scores):
@@ -131,7 +148,7 @@ def nbgrader_csv(assignment, scores):
         raw, points = (
             ("", "")
             if score.needs_review
-            else (decimal(score.points + penalty), decimal(score.points))
+            else (decimal(score.points_before_lateness), decimal(score.points))
         )
         due = assignment.policy.due_of(score.student)
         rows.append(
@@ -224,6 +241,8 @@ def _gradescope_test(answer, hint_count):
 
 
 def _feedback(score):
+    if score.is_absent:
+        return "nothing was handed in"
     return "; ".join(
         f"{answer.problem} {answer.answer}: "
         + (

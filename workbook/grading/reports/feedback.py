@@ -196,7 +196,7 @@ def _terms(assignment, score):
 def _timing(problem, attempt, policy, score):
     """Say what the time of an attempt does to its points."""
     if attempt.timing == KNOWN:
-        return policy.explanation(score.student, attempt.submitted)
+        return policy.explanation(score.student, attempt.submitted, score.grace_days)
     if problem in score.late:
         return "Handed in after the due date; it is not known when, so this costs nothing."
     if problem in score.untimed:

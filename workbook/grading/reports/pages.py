@@ -45,19 +45,27 @@ svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--in
 """
 
 
-def page(title, subtitle, body, script=""):
-    """Return a whole page; `body` is HTML, `script` the only one that it may run."""
-    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    allowed = f"; script-src 'sha256-{digest}'" if script else ""
+def page(title, subtitle, body, script="", connects=False, style=STYLE):
+    """Return a whole page; `body` is HTML, `script` the only one that it may run.
+
+    `connects` is whether the script may ask the server that the page comes from.
+    """
+    allowed = f"; script-src {source_hash(script)}" if script else ""
+    allowed += "; connect-src 'self'" if connects else ""
     element = f"<script>{script}</script>" if script else ""
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src '
         f"'unsafe-inline'{allowed}\"><title>{escape(title)}: "
-        f"{escape(subtitle)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}<br><span "
+        f"{escape(subtitle)}</title><style>{style}</style></head><body><h1>{escape(title)}<br><span "
         f'class="soft">{person(subtitle)}</span></h1>{body}{element}</body></html>\n'
     )
+
+
+def source_hash(text):
+    """Return how a Content-Security-Policy names a script or style."""
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
 def table(header, rows):

@@ -11,13 +11,13 @@ from workbook.checks.contract.verdict import UNCHECKED
 from workbook.grading.course import record
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.csv_files import BOM, parse, quoted, read_text
-from workbook.grading.course.store import Store
+from workbook.grading.course.store import HandPoints, Store
 from workbook.grading.reports.exporting import without_formula
 
-HEADER = ["assignment", "student", "problem", "answer", "max", "points", "comment", "why"]
+HEADER = ["assignment", "student", "problem", "answer", "max", "points", "comment", "why", "by"]
 
 
-def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
+def score_by_hand(graded, student, assignment, problem, answer, points, comment="", by=""):
     """Store a lecturer's points for one answer.
 
     Parameters
@@ -30,6 +30,8 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
         None removes the points given by hand.
     comment : str
         For the student.
+    by : str
+        Who gives the points.
 
     Returns
     -------
@@ -49,7 +51,8 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
         _check_points(points, worth, label)
     with Store(Path(graded) / "grades.sqlite") as store:
         if points is not None:
-            store.set_manual(student, assignment, problem, answer, points, comment)
+            key = (student, assignment, problem, answer)
+            store.set_points({key: HandPoints(points, comment, by)})
             return f"{label}: {points:g} of {worth:g} points by hand"
         if not store.take_back(student, assignment, problem, answer):
             raise InputError(f"{label} has no points by hand")
@@ -68,6 +71,7 @@ def export_table(graded, path):
             "" if answer["points by hand"] is None else f"{answer['points by hand']:g}",
             answer["by hand"] or "",
             answer["message"],
+            answer.get("given by", ""),
         ]
         for path_of_grades in sorted(Path(graded).glob("*/grades.json"))
         for name, student in record.read(path_of_grades)["students"].items()
@@ -79,8 +83,11 @@ def export_table(graded, path):
     return len(rows)
 
 
-def import_table(graded, path):
-    """Store the points in the table at `path`; return for how many answers. Raises `InputError`."""
+def import_table(graded, path, by=""):
+    """Store the points in the table at `path`; return for how many answers. Raises `InputError`.
+
+    `by` is who gives those of rows whose column "by" is empty.
+    """
     _, lines = parse(read_text(path))
     header, *rows = lines or [[]]
     columns = {name.strip().lower(): column for column, name in enumerate(header)}
@@ -114,9 +121,9 @@ def import_table(graded, path):
                 f"{label}: points is {cells['points']!r}, and is to be a number from 0 to {worth:g}"
             ) from None
         _check_points(points, worth, label)
-        entries[key] = (points, cells.get("comment", ""))
+        entries[key] = HandPoints(points, cells.get("comment", ""), cells.get("by") or by)
     with Store(Path(graded) / "grades.sqlite") as store:
-        store.set_points([(*key, *entry) for key, entry in entries.items()])
+        store.set_points(entries)
     return len(entries)
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
 from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.course.ledger import IN_TIME, KNOWN, LATE, UNKNOWN
-from workbook.grading.course.store import Attempt
+from workbook.grading.course.store import Attempt, HandPoints
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
 FOR_LECTURER = Verdict(UNCHECKED, "your lecturer grades this by hand")
@@ -35,6 +35,8 @@ class AnswerScore:
         The lecturer's comment, if the points were given by hand.
     by_hand : float or None
         The points then given, which count up to `max_points`, should that be less by now.
+    given_by : str
+        Who gave them, if that was said.
     hash : str
         Of the whole answer: the same for equal answers.
     share : float
@@ -51,6 +53,7 @@ class AnswerScore:
     by_hand: float | None = None
     hash: str = ""
     share: float = 1.0
+    given_by: str = ""
 
     @property
     def late_penalty(self):
@@ -89,6 +92,10 @@ class StudentScore:
         By problem, the remarks on the newest attempt if it could not be read or gave no answer.
     exempt : tuple of str
         Problems and answers that are not asked of the student.
+    grace_days : int
+        The grace days that the student had left for this homework.
+    grace_days_used : int
+        How many of them its late attempts use up.
     untimed : tuple of str
         Problems with a due date of whose counted attempt nobody knows when it was handed in, or by
         how much it is late where that matters.
@@ -104,11 +111,18 @@ class StudentScore:
     unusable: dict = field(default_factory=dict)
     untimed: tuple = ()
     exempt: tuple = ()
+    grace_days: int = 0
+    grace_days_used: int = 0
 
     @property
     def points(self):
         """The points of all answers."""
         return sum(answer.points for answer in self.answers)
+
+    @property
+    def points_before_lateness(self):
+        """The points of all answers, with those that lateness takes."""
+        return self.points + sum(answer.late_penalty for answer in self.answers)
 
     @property
     def max_points(self):
@@ -151,7 +165,7 @@ class StudentScore:
         return tuple(answer for answer in self.answers if answer.problem == problem)
 
 
-def scores(store, assignment, students=(), aside=()):
+def scores(store, assignment, students=(), aside=(), grace_days_used=None):
     """Return the scores of a class for an assignment, sorted by name.
 
     Parameters
@@ -164,13 +178,15 @@ def scores(store, assignment, students=(), aside=()):
         Students to list even if they submitted nothing.
     aside : iterable of LeftAside
         All that was left aside.
+    grace_days_used : dict, optional
+        The grace days by student that homeworks with an earlier due date have used up.
 
     Returns
     -------
     list of StudentScore
         One for each student.
     """
-    attempts = {}
+    attempts, used = {}, grace_days_used or {}
     for attempt in store.attempts(assignment.name):
         attempts.setdefault(attempt.student, []).append(attempt)
     manual = {}
@@ -192,12 +208,13 @@ def scores(store, assignment, students=(), aside=()):
             attempts.get(name, []),
             manual.get(name, {}),
             tuple(aside_of.get(name, ())),
+            max(assignment.policy.grace_days - used.get(name, 0), 0),
         )
         for name in sorted({*attempts, *manual, *students, *aside_of})
     ]
 
 
-def of_student(student, assignment, attempts, manual, aside=()):
+def of_student(student, assignment, attempts, manual, aside=(), grace_days=0):
     """Return the score of one student.
 
     Parameters
@@ -209,9 +226,11 @@ def of_student(student, assignment, attempts, manual, aside=()):
     attempts : list of Attempt
         The student's, oldest first.
     manual : dict
-        (points, comment) by (problem, answer).
+        `HandPoints` by (problem, answer).
     aside : tuple of LeftAside
         What was left aside of the student's work.
+    grace_days : int
+        The grace days that the student has left.
 
     Returns
     -------
@@ -229,7 +248,7 @@ def of_student(student, assignment, attempts, manual, aside=()):
         if problem != BY_HAND:
             attempt_counts[problem] = len(of_problem)
         graded = [
-            _graded(attempt, problem, points, manual, share=_share(attempt, policy))
+            _graded(attempt, problem, points, manual, share=_share(attempt, policy, grace_days))
             for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
@@ -263,6 +282,15 @@ def of_student(student, assignment, attempts, manual, aside=()):
         unusable,
         tuple(p for p, attempt in counted.items() if due and attempt.timing in undecided),
         tuple(sorted(policy.exempt_of(student))),
+        grace_days,
+        max(
+            (
+                policy.grace_days_used(student, attempt.submitted, grace_days)
+                for attempt in counted.values()
+                if attempt.timing == KNOWN and policy.late
+            ),
+            default=0,
+        ),
     )
 
 
@@ -273,11 +301,15 @@ def _is_late(attempt, due):
     return attempt.timing == LATE
 
 
-def _share(attempt, policy):
+def _share(attempt, policy, grace_days):
     """Return the share of its points that an attempt has; all, where no time is known."""
-    return policy.share(attempt.student, attempt.submitted) if attempt.timing == KNOWN else 1.0
+    if attempt.timing != KNOWN:
+        return 1.0
+    return policy.share(attempt.student, attempt.submitted, grace_days)
 
 
+#: In place of points by hand where there are none.
+NOT_GIVEN = HandPoints(None, None)
 #: In place of the attempt of a student who handed nothing in.
 NO_ATTEMPT = Attempt(0, "", "", "", "", 0.0, None, {}, {}, ())
 
@@ -314,20 +346,21 @@ def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED, share=1.
     scored = []
     for answer, worth in points.items():
         verdict = attempt.verdicts.get(answer, no_verdict)
-        by_hand, comment = manual.get((problem, answer), (None, None))
+        given = manual.get((problem, answer), NOT_GIVEN)
         automatic = worth * share if verdict.status == RIGHT else 0.0
         scored.append(
             AnswerScore(
                 problem,
                 answer,
                 verdict,
-                automatic if by_hand is None else min(by_hand, worth),
+                automatic if given.points is None else min(given.points, worth),
                 worth,
                 attempt.answers.get(answer, ""),
-                comment,
-                by_hand,
+                given.comment,
+                given.points,
                 attempt.hashes.get(answer, ""),
                 share,
+                given.by,
             )
         )
     return _GradedAttempt(attempt, tuple(scored), share)

@@ -278,8 +278,9 @@ def _pairs(pairs, limit=30, listed=8):
         )
     more = f"<p>{len(pairs) - limit} more pairs share less.</p>" if len(pairs) > limit else ""
     return (
-        "<p>Whole notebooks, wrong answers in the same form, and lines of code, as far as at most a "
-        "twentieth of the class or three students have them. This decides nothing: a common source or "
+        "<p>Whole notebooks, wrong answers in the same form, lines of code, and runs of three "
+        "statements that are equal but for the names of variables (its first line is shown), as far "
+        "as at most a twentieth of the class or three students have them. This decides nothing: a common source or "
         "the same thought looks alike.</p>"
         + table(("students", "share", "what, and how common"), rows)
         + more

@@ -17,7 +17,7 @@ document.querySelector("button").addEventListener("click", () => {
   const cell = text => '"' + (formula.test(text) ? "'" + text : text).replaceAll('"', '""') + '"';
   const rows = [...document.querySelectorAll("fieldset")].map(item => [
     ...JSON.parse(item.dataset.key), item.dataset.max,
-    ...[...item.querySelectorAll("input")].map(input => input.value), ""]);
+    ...[...item.querySelectorAll("input")].map(input => input.value), "", ""]);
   const lines = [HEADER, ...rows].map(row => row.map(cell).join(","));
   const link = document.createElement("a");
   link.href = "data:text/csv;charset=utf-8," + encodeURIComponent("\\ufeff" + lines.join("\\r\\n") + "\\r\\n");

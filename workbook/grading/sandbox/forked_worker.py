@@ -6,7 +6,7 @@ import subprocess
 from contextlib import suppress
 
 from workbook.grading.sandbox.forkserver import NOTEBOOK_WORKER, Forkserver
-from workbook.grading.sandbox.isolation import ProcessStartError
+from workbook.grading.sandbox.limits import ProcessStartError
 from workbook.grading.sandbox.notebook_worker import NOTEBOOK
 
 

@@ -24,7 +24,7 @@ from contextlib import contextmanager, suppress
 from functools import partial
 
 from workbook.grading.sandbox import framing, isolation
-from workbook.grading.sandbox.isolation import ProcessStartError
+from workbook.grading.sandbox.limits import ProcessStartError
 from workbook.grading.sandbox.preloading import collapse_into_huge_pages, preload
 from workbook.grading.sandbox.system_calls import die_with_parent
 
@@ -274,7 +274,7 @@ def entry_point(name, allowed):
 
 
 #: Exit codes of processes that have ended, by pid.
-_exit_codes = {}
+_exit_codes: dict[int, int] = {}
 
 
 def _exit_code(pid, within):

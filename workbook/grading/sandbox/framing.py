@@ -9,8 +9,7 @@ import selectors
 import struct
 import time
 
-#: Bytes of the longest message: the encoding of answers limits them far below.
-MAX_MESSAGE = 16 * 2**20
+from workbook.grading.sandbox.limits import MAX_MESSAGE
 
 
 class FramingError(RuntimeError):

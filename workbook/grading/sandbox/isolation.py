@@ -13,6 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from workbook.grading.sandbox.limits import SandboxUnavailableError
 from workbook.grading.sandbox.system_calls import (
     CLONE_NEWNS,
     CLONE_NEWPID,
@@ -49,20 +50,12 @@ ENVIRONMENT = {
     "MALLOC_MMAP_THRESHOLD_": str(2**25),
     "MALLOC_TRIM_THRESHOLD_": str(2**26),
 }
-#: The user that the sandbox runs as when the grader itself is root: limits on processes do not bind
-#: root.
-NOBODY = 65534
-
-
-class SandboxUnavailableError(RuntimeError):
-    """This machine offers no sandbox; the message names what is missing."""
-
-
-class ProcessStartError(SandboxUnavailableError):
-    """A process of the grader ended, or was too slow, while it started, several times.
-
-    The machine may well offer a sandbox: the same command may succeed later.
-    """
+#: The users that sandboxes run as when the grader itself is root, whom limits on processes do not
+#: bind: one each, by the pid of the process that makes the sandbox. The kernel counts descriptors in
+#: flight, pending signals and the buffers of pipes by user, and two notebooks of one user could tell
+#: each other something by these counts. No system gives out numbers from the first one on; where it
+#: is not available, as in some containers, all sandboxes run as nobody.
+FIRST_USER, NOBODY = 0x70000000, 65534
 
 
 def visible_paths():
@@ -138,7 +131,7 @@ def spawn_sandboxed(bwrap, limits, code):
     bwrap : str
         Path of bubblewrap.
     limits : dict
-        As of `sandbox.Limits`.
+        As of `limits.Limits`.
     code : str
         What the interpreter inside runs.
 
@@ -197,7 +190,7 @@ def enter_sandbox(bwrap, limits):
     with open(info) as file:
         pid = json.load(file)["child-pid"]
     if os.getuid() == 0:
-        _become_nobody()
+        _become(sandbox_user())
     _join_namespaces(pid)
     die_with_parent(parent)  # a change of user or namespaces undoes it
     _continue_in_child()
@@ -243,10 +236,22 @@ def _join_namespaces(pid):
     system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that its files in /proc are its own
 
 
-def _become_nobody():
+def sandbox_user():
+    """Return the user as whom the sandboxes of this process run, if it is root."""
+    user = FIRST_USER + os.getpid()
+    with open("/proc/self/uid_map") as users, open("/proc/self/gid_map") as groups:
+        available = all(
+            any(int(first) <= user < int(first) + int(count) for first, _, count in ranges)
+            for ranges in (map(str.split, users), map(str.split, groups))
+        )
+    return user if available else NOBODY
+
+
+def _become(user):
+    """Become a user without rights, and the group of the same number."""
     os.setgroups([])
-    os.setresgid(NOBODY, NOBODY, NOBODY)
-    os.setresuid(NOBODY, NOBODY, NOBODY)
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)
     system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)
 
 
@@ -301,7 +306,7 @@ def _sandbox_command(bwrap, limits, options, inside):
         command += ["--tmpfs", str(path), "--remount-ro", str(path)]
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
     command += [*options, "--remount-ro", "/dev", "--remount-ro", "/", *inside]
-    grader = os.getpid()
+    grader, user = os.getpid(), sandbox_user()
 
     def prepare():
         if as_root:
@@ -311,7 +316,7 @@ def _sandbox_command(bwrap, limits, options, inside):
             for path in folders:
                 _make_mount_point(path, source[path])
                 mount(str(path), source[path], flags=MS_BIND | MS_REC)
-            _become_nobody()
+            _become(user)
         die_with_parent(grader)
 
     return command, prepare

@@ -32,11 +32,11 @@ from workbook.grading.sandbox import forkserver, framing, seccomp, watchdog
 from workbook.grading.sandbox.isolation import (
     ENVIRONMENT,
     SCRATCH,
-    SandboxUnavailableError,
     enter_pid_namespace,
     enter_sandbox,
     visible_paths,
 )
+from workbook.grading.sandbox.limits import SandboxUnavailableError
 from workbook.grading.sandbox.preloading import preload
 from workbook.grading.sandbox.system_calls import (
     CLONE_NEWIPC,
@@ -73,7 +73,7 @@ def serve_notebooks(mode, limits, bubblewrap, folder):
     mode : str
         "nested"; or "trusted" to serve outside any sandbox.
     limits : dict
-        Those of each notebook, as of `sandbox.Limits`.
+        Those of each notebook, as of `limits.Limits`.
     bubblewrap : str or None
         Path of bubblewrap.
     folder : str
@@ -207,6 +207,7 @@ def _run_cells(request, seconds):
                 "stopped": [],
                 "failed": {},
                 "overwritten": {},
+                "meant": {},
             }
         ).encode()
 
@@ -274,6 +275,9 @@ def _set_limits(limits, mode):
     }
     if mode != "trusted":  # there it would count all processes of the user
         bounds[resource.RLIMIT_NPROC] = limits["processes"]
+        # The kernel counts queued signals by user, all notebooks' together. With none allowed,
+        # ordinary signals still arrive.
+        bounds[resource.RLIMIT_SIGPENDING] = 0
     for kind, bound in bounds.items():
         resource.setrlimit(kind, (bound, bound))
     os.nice(5)  # the grader goes first

@@ -9,7 +9,6 @@ import sys
 from contextlib import contextmanager, suppress
 
 from trajlib._lazy import home_of
-from workbook.grading.sandbox.system_calls import system_call
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure, module_path
 
@@ -118,10 +117,18 @@ _IMPORT = re.compile(r"^ *(?:import|from) .*", re.MULTILINE)
 
 
 def _uses(name, sources):
+    """Return whether a source names a library; of SciPy, a part after the name in one line."""
     package, _, part = name.partition(".")
-    # SciPy's parts are loaded one by one.
-    pattern = re.compile(rf"\bscipy\b.*\b{part}\b" if package == "scipy" else rf"\b{package}\b")
-    return any(pattern.search(source) for source in sources)
+    named, part_named = re.compile(rf"\b{package}\b"), re.compile(rf"\b{part}\b")
+    if package != "scipy":  # whose parts are loaded one by one
+        return any(named.search(source) for source in sources)
+    # Two searches: one pattern for both would begin again at each of a million `scipy`.
+    return any(
+        (first := named.search(line)) and part_named.search(line, first.end())
+        for source in sources
+        if package in source
+        for line in source.split("\n")
+    )
 
 
 def _modules_of_names(sources):
@@ -214,7 +221,10 @@ def collapse_into_huge_pages():
     memory in small ones. Where a child writes, it still gets a small page of its own. This takes as
     long as some dozens of forks, so it is for a process that forks for each notebook.
     """
-    with suppress(OSError), open("/proc/self/maps") as file:  # not Linux
+    # only for Linux, as the rest of this module is not
+    from workbook.grading.sandbox.system_calls import system_call
+
+    with suppress(OSError), open("/proc/self/maps", encoding="utf-8") as file:  # not Linux
         for line in file.readlines():
             addresses, rights, _, _, inode, *_ = line.split()
             begin, end = (int(address, 16) for address in addresses.split("-"))

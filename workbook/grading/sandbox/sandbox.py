@@ -6,12 +6,18 @@ import signal
 import subprocess
 import tempfile
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, replace
 from functools import partial
 
 from workbook.grading.sandbox import framing, isolation, watchdog
 from workbook.grading.sandbox.forked_worker import ForkedWorker, NotebookProcess
 from workbook.grading.sandbox.forkserver import Forkserver
+from workbook.grading.sandbox.limits import (
+    Limits,
+    Outcome,
+    ProcessStartError,
+    SandboxUnavailableError,
+)
 from workbook.grading.sandbox.notebook_worker import NOT_NESTED, READY
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES
 
@@ -20,55 +26,7 @@ START_SECONDS, MAX_STARTS = 60.0, 3
 #: Seconds that a process may take to end, on a busy machine, after it has closed its pipe.
 END_SECONDS = 5.0
 
-_ERRORS = (framing.FramingError, OSError, isolation.SandboxUnavailableError)
-
-
-@dataclass(frozen=True)
-class Limits:
-    """What one notebook may use, all its processes together.
-
-    Time in which nothing of the notebook wants to compute counts as computing. Wall time may be
-    three times as long, and what it waits for busy processors is added, up to `withheld_seconds`:
-    that is not the student's fault.
-
-    Parameters
-    ----------
-    cpu_seconds, wall_seconds, withheld_seconds : float
-        Processor time; wall time; wall time in addition while others have the processors.
-    memory_megabytes, disk_megabytes : int
-        Memory; files in each of `isolation.SCRATCH`.
-    processes : int
-        Processes and threads.
-    """
-
-    cpu_seconds: float = 120
-    wall_seconds: float = 360
-    withheld_seconds: float = 3600
-    memory_megabytes: int = 2048
-    disk_megabytes: int = 64
-    processes: int = 32
-
-    @classmethod
-    def of_time(cls, seconds):
-        """Return the limits for so many seconds of computing."""
-        return cls(cpu_seconds=seconds, wall_seconds=3 * seconds)
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """How a notebook ended, and the bytes that it handed over, as they are.
-
-    Parameters
-    ----------
-    ended : str
-        "done"; the limit that was exceeded ("time", "memory", "processes", "sockets", "large");
-        "died", with the exit code or signal as the bytes; or "failed", if the sandbox itself did.
-    handed_over : bytes
-        The encoded answers, or details of how it ended.
-    """
-
-    ended: str
-    handed_over: bytes
+_ERRORS = (framing.FramingError, OSError, SandboxUnavailableError)
 
 
 class Sandbox:
@@ -90,7 +48,7 @@ class Sandbox:
 
     Raises
     ------
-    isolation.SandboxUnavailableError
+    SandboxUnavailableError
         On entering, where the machine offers no sandbox; also by the first `run` if it is not
         entered.
     """
@@ -189,12 +147,13 @@ class Sandbox:
                 raise self._start_error
             ended, message = self._watchdog.wait_for_answers()
             outcome = self._outcome(ended, self._exit_status() if ended == b"died" else message)
+            outcome = replace(outcome, seconds=self._watchdog.seconds_used)
         except _ERRORS as error:
             outcome = Outcome("failed", str(error).encode())
         if self._single_use or outcome.ended == "failed":
             self._stop()
         # The next process is prepared while this outcome is judged.
-        with suppress(isolation.SandboxUnavailableError, OSError):
+        with suppress(SandboxUnavailableError, OSError):
             if self._single_use:
                 self.start()
             elif self._worker is not None:
@@ -255,7 +214,7 @@ class Sandbox:
         except framing.FramingError as framing_error:
             error = self._why_not_started(str(framing_error))
             self._stop()
-            if not (starts_left and isinstance(error, isolation.ProcessStartError)):
+            if not (starts_left and isinstance(error, ProcessStartError)):
                 raise error from None
             self.start()
             self._wait_for_greeting(starts_left - 1)
@@ -267,7 +226,7 @@ class Sandbox:
             return
         self._stop()
         if greeting != NOT_NESTED:
-            raise isolation.SandboxUnavailableError(
+            raise SandboxUnavailableError(
                 f"the sandbox does not start here: {greeting.decode(errors='replace')}"
             )
         self._single_use = True
@@ -277,7 +236,7 @@ class Sandbox:
     def _why_not_started(self, framing_error):
         """Return the error to raise: an error of bubblewrap is final, others may be temporary."""
         if framing_error == "time":
-            return isolation.ProcessStartError(
+            return ProcessStartError(
                 f"the sandbox was not ready within {START_SECONDS:g} s, {MAX_STARTS} times: the"
                 " machine is too slow or too busy; the same command goes on from here"
             )
@@ -286,14 +245,14 @@ class Sandbox:
         code = self._worker.returncode
         signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
         if signal_number:
-            return isolation.ProcessStartError(
+            return ProcessStartError(
                 f"the process that runs notebooks was killed (signal {signal_number}) while it"
                 f" started, {MAX_STARTS} times: the machine may be out of memory; the same command"
                 " goes on from here"
             )
         lines = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
         lines = [line for line in lines if line.startswith("bwrap: ")] or lines
-        return isolation.SandboxUnavailableError(
+        return SandboxUnavailableError(
             f"the sandbox does not start here: {lines[-1] or 'it ended without a word'}"
         )
 

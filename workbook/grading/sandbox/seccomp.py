@@ -11,6 +11,8 @@ A notebook's process installs it before the first cell. Denied are:
   failure of the grader;
 - another treatment of SIGCHLD, since the processor time of children that nobody waits for is not
   counted;
+- descriptors on their way through a socket, and larger pipes: the kernel counts both by user, and
+  where the grader is not root all notebooks have its user;
 - news of what others do with a file: all notebooks see the same libraries, and a lock, a lease or a
   watch on one of these would pass bits from one running notebook to another.
 
@@ -25,7 +27,7 @@ import signal
 import socket
 import struct
 
-from workbook.grading.sandbox.isolation import SandboxUnavailableError
+from workbook.grading.sandbox.limits import SandboxUnavailableError
 from workbook.grading.sandbox.system_calls import system_call
 
 PR_SET_SECCOMP, SECCOMP_MODE_FILTER = 22, 2
@@ -35,6 +37,9 @@ ALLOW, ERRNO, KILL = 0x7FFF0000, 0x00050000, 0x80000000
 ARCHITECTURES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
 #: On x86_64 a second table of the same system calls begins here.
 X32 = 0x40000000
+
+#: In the place of a number that an architecture does not have.
+NONE = 0xFFFFFFFF
 
 DENIED = {
     # namespaces and mounts
@@ -58,12 +63,17 @@ DENIED = {
     "semget": (64, 190),
     "msgget": (68, 186),
     "mq_open": (240, 180),
+    # descriptors on their way, which the kernel counts by user
+    "sendmsg": (46, 211),
+    "sendmmsg": (307, 269),
     # limits, which are the grader's to set
     "setrlimit": (160, 164),
     # other processes, keys, and parts of the kernel that no computation needs
     "ptrace": (101, 117),
     "process_vm_readv": (310, 270),
     "process_vm_writev": (311, 271),
+    "process_madvise": (440, 440),
+    "pidfd_getfd": (438, 438),
     "kcmp": (312, 272),
     "add_key": (248, 217),
     "request_key": (249, 218),
@@ -73,6 +83,7 @@ DENIED = {
     "userfaultfd": (323, 282),
     "fanotify_init": (300, 262),
     "open_by_handle_at": (304, 265),
+    "inotify_init": (253, NONE),
     "inotify_init1": (294, 26),
     "inotify_add_watch": (254, 27),
     "io_uring_setup": (425, 425),
@@ -89,8 +100,8 @@ CLONE, CLONE3, SOCKET, SOCKETPAIR, SETSOCKOPT = (
 PRLIMIT, SIGACTION = (302, 261), (13, 134)
 FLOCK, FCNTL = (73, 32), (72, 25)
 #: Commands of `fcntl`: those that lock (two for a process, two for an open file), and those that ask
-#: for locks, leases and news of a folder.
-LOCKING, ASKING = (6, 7, 37, 38), (5, 36, 1024, 1025, 1026)
+#: for locks, leases, news of a folder, and a larger pipe.
+LOCKING, ASKING = (6, 7, 37, 38), (5, 36, 1024, 1025, 1026, 1031)
 #: Any of the flags with which `clone` would make a namespace.
 NEW_NAMESPACE = 0x7E020000
 FAMILIES = (socket.AF_UNIX, socket.AF_INET, socket.AF_INET6)

@@ -5,23 +5,29 @@ memory.
 """
 
 import errno
+import hashlib
 import json
-import multiprocessing
 import os
 import re
-import resource
 import stat
+import sys
+from dataclasses import dataclass
 
-from workbook.grading.sandbox.system_calls import address_space_bytes, die_with_parent
-from workbook.notebooks.execution import in_child
+from workbook.grading.sandbox.limited_process import LimitedProcess, LimitError
+from workbook.grading.sandbox.sanitising import sanitise
 from workbook.notebooks.exercises import base_number
 
-#: Bytes: larger files are read in a process of limited time and memory, and none above the second.
-LARGE_FILE, MAX_FILE = 10 * 2**20, 200 * 2**20
-SECONDS, MEMORY = 20, 2 * 2**30
+#: Bytes: larger files are not read.
+MAX_FILE = 200 * 2**20
 #: Characters of code in one notebook, since all notebooks of a course are in memory while they wait;
 #: and its code cells.
 MAX_CODE, MAX_CELLS = 2**20, 2000
+#: Neither a link to somebody else's file is opened nor a pipe that never ends. Windows has no such
+#: flags and no such pipes.
+if sys.platform == "win32":
+    READ_REGULAR = os.O_RDONLY | os.O_BINARY
+else:
+    READ_REGULAR = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
 #: Errors on opening a file that is a link, a socket or a device; others are the machine's.
 FILE_ERRORS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
 #: The name of a notebook as it is handed out, ch1-p15, also within the name that a browser or a
@@ -29,6 +35,11 @@ FILE_ERRORS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
 HANDED_OUT_NAME = re.compile(
     r"(?<![a-z0-9])ch0*([0-9]{1,3})(?:[ ._-]p?|p)0*([0-9]{1,3})(?![0-9])", re.IGNORECASE
 )
+#: Characters of a text cell, and of the text cells of one notebook, that are shown to a lecturer.
+MAX_SHOWN, MAX_SHOWN_TOGETHER = 20_000, 100_000
+#: A link, which a notebook that was handed out has or has not. No bracket in it is one's own: else
+#: thousands of brackets without an end would take hours.
+LINK = re.compile(r"\[([^\[\]]*)\]\([^()]*\)")
 #: A line of text that assigns a variable.
 ASSIGNED_NAME = re.compile(r"^[ ]{0,3}([A-Za-z_]\w{0,100})\s{0,9}=(?!=)", re.MULTILINE)
 SHORT_NAME = re.compile(r"0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", re.DOTALL)
@@ -41,9 +52,9 @@ class UnreadableFileError(Exception):
 def content(path):
     """Return the bytes of a regular file; nothing else is read."""
     try:
-        # O_NOFOLLOW and O_NONBLOCK: neither a link to somebody else's file nor a pipe that never
-        # ends.
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+        if sys.platform == "win32" and os.path.islink(path):
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+        descriptor = os.open(path, READ_REGULAR)
     except OSError as error:
         if error.errno not in FILE_ERRORS:
             raise
@@ -63,30 +74,72 @@ def content(path):
         os.close(descriptor)
 
 
-def notebook(content):
-    """Return (number in its metadata or None, sources of its code cells, names in its text cells).
+@dataclass(frozen=True)
+class Notebook:
+    """What is read in a notebook.
 
-    The names are those that a cell of text assigns, as one does that was a code cell before.
+    Parameters
+    ----------
+    number : str or None
+        The problem in its metadata.
+    cells : tuple of str
+        The sources of its code cells.
+    names_in_text : tuple of str
+        What its cells of text assign, as one does that was a code cell before.
     """
-    if len(content) <= LARGE_FILE:
-        return _parse(content)
-    try:
-        number, cells, names, trouble = in_child(_parse_within_limits, content, timeout=6 * SECONDS)
-    except RuntimeError:
-        raise UnreadableFileError(
-            f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory "
-            "than allowed"
-        ) from None
-    if trouble:
-        raise UnreadableFileError(trouble)
-    return number, tuple(cells), tuple(names)
+
+    number: str | None
+    cells: tuple
+    names_in_text: tuple
+
+
+class Reader:
+    """Reads notebooks in a process of limited time and memory; use it as a context manager."""
+
+    def __init__(self):
+        self._process = LimitedProcess(_read_notebook, _read_text)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self._process.__exit__(*error)
+
+    def notebook(self, content):
+        """Return the `Notebook` in a file's bytes; raise `UnreadableFileError`."""
+        number, cells, names = self._read(_read_notebook, content)
+        return Notebook(number, tuple(cells), tuple(names))
+
+    def text(self, content):
+        """Return (number in the metadata or None, [(hash, text)] of the cells that are no code).
+
+        The hash is that of `text_hash`; the text is safe to show, and what is long is cut.
+        """
+        number, cells = self._read(_read_text, content)
+        return number, [tuple(cell) for cell in cells]
+
+    def _read(self, function, content):
+        try:
+            result = self._process.call(function, content)
+        except LimitError:
+            raise UnreadableFileError(
+                f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or "
+                "memory than allowed"
+            ) from None
+        if "trouble" in result:
+            raise UnreadableFileError(result["trouble"])
+        return result["read"]
 
 
 def text_cells(content):
-    """Return the texts of a notebook's cells that are no code, without those of a large file."""
-    if len(content) > LARGE_FILE:
-        return (f"(a notebook of {len(content) / 2**20:.0f} MB: open it to read its text)",)
+    """Return the texts of a notebook's cells that are no code, for one that was handed out."""
     return _parse_json(content)[1]
+
+
+def text_hash(text):
+    """Return a hash of a text cell, the same with and without links and with other spaces."""
+    plain = " ".join(LINK.sub(r"\1", text).split())
+    return hashlib.sha256(plain.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def number_of_name(stem):
@@ -100,15 +153,23 @@ def number_of_name(stem):
     return ".".join(numbers.pop()) if len(numbers) == 1 else None
 
 
-def _parse_within_limits(content):
-    """Parse in a child: 200 MB of empty lists would take many times that in memory."""
-    die_with_parent(multiprocessing.parent_process().pid)
-    resource.setrlimit(resource.RLIMIT_AS, (address_space_bytes() + MEMORY,) * 2)
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
+# In the limited process
+
+
+def _read_notebook(content):
+    return _told(_parse, content)
+
+
+def _read_text(content):
+    return _told(_parse_text, content)
+
+
+def _told(parse, content):
+    """Return what `parse` returns as data, or the trouble that it raises."""
     try:
-        return [*_parse(content), ""]
+        return {"read": parse(content)}
     except UnreadableFileError as trouble:
-        return [None, [], [], str(trouble)]
+        return {"trouble": str(trouble)}
 
 
 def _parse(content):
@@ -123,7 +184,21 @@ def _parse(content):
             f"{MAX_CELLS} cells of it"
         )
     names = {name for text in texts[:MAX_CELLS] for name in ASSIGNED_NAME.findall(text[:MAX_CODE])}
-    return _number(data), cells, tuple(sorted(names)[:MAX_CELLS])
+    return _number(data), cells, sorted(names)[:MAX_CELLS]
+
+
+def _parse_text(content):
+    data, texts, _ = _parse_json(content)
+    shown, left = [], MAX_SHOWN_TOGETHER
+    for text in texts[:MAX_CELLS]:
+        if not text.strip():
+            continue
+        length = min(len(text), MAX_SHOWN, left)
+        left -= length
+        more = f"\n(and {len(text) - length} more characters: open the notebook to read them)"
+        part = sanitise(text[:length], keep="\n\t") + more * (len(text) > length)
+        shown.append((text_hash(text), part))
+    return _number(data), shown
 
 
 def _parse_json(content):

@@ -47,7 +47,7 @@ class Watchdog:
     results : int
         Descriptor on which the notebook's process hands over.
     limits : dict
-        As of `sandbox.Limits`.
+        As of `limits.Limits`.
     proc : int
         Descriptor of the /proc in which `ancestor` has this pid.
     own_network : bool
@@ -60,6 +60,8 @@ class Watchdog:
     def __init__(self, ancestor, results, limits, proc, own_network=True, wake=lambda: None):
         self._ancestor, self._results, self._limits = ancestor, results, limits
         self._proc, self._own_network, self._wake = proc, own_network, wake
+        #: Seconds of computing, with time in which nothing wanted to compute, at the last check.
+        self.seconds_used = 0.0
 
     def wait_until_prepared(self):
         """Wait until the notebook's process is confined, and note what preparing it used.
@@ -100,6 +102,9 @@ class Watchdog:
 
     def _check(self):
         processes = _descendants(self._ancestor, self._proc)
+        self.seconds_used = max(
+            self.seconds_used, _cpu_seconds(processes) - self._cpu_before + self._idle
+        )
         _check_sums(processes, self._limits, self._cpu_before - self._idle, self._proc)
         self._count_idle(processes)
         if (

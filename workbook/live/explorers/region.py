@@ -19,8 +19,8 @@ def region_of_stability(problem="1.15", item="a"):
     ----------
     problem : str
         A problem whose data have a polynomial `a_poly` or a matrix `a_matrix` with two parameters:
-        "1.15", "1.16" or "1.18". Where it sets a stability margin, the roots are to lie left of
-        minus the margin.
+        "1.15", "1.16" or "1.18". Where it sets a degree of stability, the roots are to lie left of
+        minus this number.
     item : str
         Its letter.
 
@@ -79,4 +79,4 @@ def _region(polynomial, symbols, s, margin):
     # loads SymPy, when the first region is asked for
     from trajlib.stability import stability_conditions
 
-    return stability_conditions(polynomial, symbols, margin=margin, symbol=s).region
+    return stability_conditions(polynomial, symbols, degree=margin, symbol=s).region

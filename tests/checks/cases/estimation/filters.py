@@ -11,6 +11,8 @@ STEPS = Process(A=1, Q=Q, H=1, R=R, discrete=True)
 CART = Process(A=[[0, 1], [0, 0]], Q=sp.diag(0, Q), H=[[1, 0]], R=R)
 SCALAR = Process(A=a, Q=Q, H=1, R=R)
 START = Process(A=[[0, 1], [0, 0]], H=[[1, 0]], R=1, mean=[0, 1], covariance=sp.eye(2))
+#: A state that grows without noise, which a filter that ignores it leaves at covariance zero.
+GROWING = Process(A=[[2, 0], [0, 0]], Q=sp.diag(0, 1), H=[[1, 1]], R=1, discrete=True)
 DELAYS = Process(
     A=[[0, 1, 0], [0, 0, 1], [0, 0, 0]], Q=sp.diag(0, 0, 2), H=[[0, 0, 1]], R=3, discrete=True
 )
@@ -262,6 +264,14 @@ CASES = [
         "the other root",
     ),
     Case("steady_covariance", BEFORE - Q, (STEPS, [Q, R]), "wrong", "the other moment"),
+    Case("steady_covariance", sp.diag(0, 1), (GROWING,), "wrong", "growth ignored, before"),
+    Case(
+        "steady_covariance",
+        sp.diag(0, sp.Rational(1, 2)),
+        (GROWING, [], sp.true, "after"),
+        "wrong",
+        "growth ignored, after",
+    ),
     Case(
         "steady_covariance",
         sp.diag(*OWN.diagonal()),

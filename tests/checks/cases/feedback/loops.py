@@ -46,14 +46,14 @@ CASES = [
         "observer_gain", M([0, 7]), WITHOUT_DECAY, "right", "one of many for a hidden mode", **FIXED
     ),
     row("observer_gain", M([3, 1]), WITHOUT_DECAY, "right", "another one of them", **FIXED),
-    row("observer_gain", [4, 8], BY_PLACE, "right", "the margin exactly, a double root", margin=2),
+    row("observer_gain", [4, 8], BY_PLACE, "right", "the degree exactly, a double root", degree=2),
     row(
         "observer_gain",
         [0, 4, 14],
         (Linear(M([[0, 1, 0], [0, 0, 1], [-3, 1, 3]]), H=M([[2, 2, 0]])),),
         "right",
         "the margin of a mode that is fixed",
-        margin=1,
+        degree=1,
     ),
     row(
         "observer_gain",
@@ -61,10 +61,10 @@ CASES = [
         BY_PLACE,
         "right",
         "the margin within three digits",
-        margin=2,
+        degree=2,
     ),
     row("observer_gain", [], WITHOUT_GROWTH, "right", "there is none"),
-    row("observer_gain", [], WITHOUT_DECAY, "right", "none has this margin", margin=3),
+    row("observer_gain", [], WITHOUT_DECAY, "right", "none has this degree", degree=3),
     row("observer_gain", [], WITHOUT_DECAY, "right", "not every polynomial", **WANTED),
     row("observer_gain", M([]), WITHOUT_DECAY, "right", "an empty matrix", **WANTED),
     row("observer_gain", np.array([]), WITHOUT_DECAY, "right", "an empty array", **WANTED),
@@ -83,7 +83,7 @@ CASES = [
     row("observer_gain", [-3, -7], BY_PLACE, "wrong", "the sign of u = Kx"),
     row("observer_gain", M([b1, b2]), BY_PLACE, "wrong", "the system forgotten", **WANTED),
     row("observer_gain", M([14, 7]), BY_PLACE, "wrong", "the entries exchanged", **FIXED),
-    row("observer_gain", [4, 7], BY_PLACE, "wrong", "short of the margin", margin=2),
+    row("observer_gain", [4, 7], BY_PLACE, "wrong", "short of the degree", degree=2),
     row("observer_gain", [3, 7], WITHOUT_GROWTH, "wrong", "there is none"),
     row("observer_gain", [], BY_PLACE, "wrong", "there are many"),
     row(
@@ -183,7 +183,12 @@ CASES = [
     row("feedback_gain", [-5, -1, 0], PUSHED, "invalid", "three entries"),
     row("observer_feedback_gains", [[-5, -1], [3, 7]], LOOP, "right", "lists"),
     row(
-        "observer_feedback_gains", [M([[-13, -6]]), M([9, 40])], LOOP, "right", "a margin", margin=2
+        "observer_feedback_gains",
+        [M([[-13, -6]]), M([9, 40])],
+        LOOP,
+        "right",
+        "a degree of stability",
+        degree=2,
     ),
     row(
         "observer_feedback_gains",

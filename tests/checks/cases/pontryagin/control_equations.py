@@ -108,7 +108,7 @@ CASES = [
         "wrong",
         "for another parameter, near it",
     ),
-    Case("control_equation", 0, (THRUST,), "unchecked", "a costate cannot be eliminated"),
+    Case("control_equation", 0, (THRUST,), "refused", "a costate cannot be eliminated"),
     Case("control_equation", x, (REGULATOR,), "right", "a quadratic cost"),
     Case("control_equation", 2 * x, (REGULATOR,), "wrong", "a quadratic cost with a factor"),
 ]

@@ -15,6 +15,8 @@ ENERGY = Problem(
     running=u**2,
     duration=sp.pi / 2,
 )
+#: The best process stays at zero, and so does its costate.
+STANDING = Problem({x: u}, {u: (-1000, 1000)}, {x: 0}, running=10**6 * x**2, duration=1)
 PLACES = {a: sp.Interval(-3, 3)}
 NEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=x**2 / 2, duration=T)
 FAR = Problem(
@@ -47,7 +49,30 @@ def _swung(factor):
     return [Piecewise((a, t < factor * turn), (b, True)) for a, b in zip(early, late)]
 
 
+def _first_stop(start, bound):
+    """Return the costates of a swing pushed by at most a force, to its first stop, and the problem."""
+    problem = Problem(
+        {x1: x2, x2: u - x1},
+        {u: (-bound, bound)},
+        {x1: start, x2: 0},
+        [x2],
+        final=-(x1**2 + x2**2) / 2,
+        first_return=True,
+    )
+    size = start + 2 * bound
+    return [size * sp.cos(t), -size * sp.sin(t)], problem
+
+
+PUSHED, PUSH = _first_stop(5, sp.Rational(9, 2))
+STRONGLY_PUSHED, STRONG_PUSH = _first_stop(8, 7)
+
+
 CASES = [
+    Case("optimal_costate", PUSHED, (PUSH, t), "right", "a first arc of no length in the search"),
+    Case("optimal_costate", STRONGLY_PUSHED, (STRONG_PUSH, t), "right", "fast at the end"),
+    Case("optimal_costate", [psi / 2 for psi in PUSHED], (PUSH, t), "wrong", "half of them"),
+    Case("optimal_costate", 0, (STANDING, t), "right", "zero all the time"),
+    Case("optimal_costate", (1 - t) / 100, (STANDING, t), "wrong", "small, where it is zero"),
     Case("optimal_costate", _swung(1), (SWING, t, STIFF), "right", "two arcs"),
     Case(
         "optimal_costate",

@@ -126,9 +126,10 @@ CASES = [
     Case(
         "singular_surface",
         x1,
-        (SQUARE, TWO, {x1: sp.Interval(1, 2)}),
-        "unchecked",
+        (SQUARE, TWO),
+        "refused",
         "a domain that the surface does not meet",
+        (("domain", {x1: sp.Interval(1, 2)}),),
     ),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
     Case(

@@ -146,7 +146,7 @@ CASES = [
     Case("limit_cycles", ..., STABLE, "missing", "the untouched stub"),
     Case("limit_cycles", "the unit circle", STABLE, "invalid", "words"),
     Case("limit_cycles", sp.Eq(r, 1), STABLE, "invalid", "an equation"),
-    Case("limit_cycles", [1], CENTRE, "unchecked", "a centre: the question makes no sense there"),
+    Case("limit_cycles", [1], CENTRE, "refused", "a centre: the question makes no sense there"),
     Case("cycle_stability", "stable", STABLE, "right", "motions come from both sides"),
     Case("cycle_stability", "Unstable", UNSTABLE, "right", "a capital letter"),
     Case("cycle_stability", "semi-stable", SEMI, "right", "with a hyphen"),
@@ -167,7 +167,7 @@ CASES = [
     Case("cycle_stability", "unstable", (*TWO, 1), "right", "the inner one of two"),
     Case("cycle_stability", "stable", (*TWO, 1), "wrong", "the kind of the outer one"),
     Case(
-        "cycle_stability", "stable", TWO, "unchecked", "two cycles: the question does not say which"
+        "cycle_stability", "stable", TWO, "refused", "two cycles: the question does not say which"
     ),
     Case("cycle_stability", ..., STABLE, "missing", "the untouched stub"),
     Case("cycle_stability", "attracting", STABLE, "invalid", "a word that was not offered"),

@@ -1,5 +1,5 @@
 import sympy as sp
-from case import Case
+from case import REFUSED, Case
 
 k1, k2, s = sp.symbols("k1 k2 s", real=True)
 p, q = sp.symbols("k1 k2")
@@ -107,6 +107,14 @@ CASES = [
         MATRIX,
         "right",
         "margin 1, open region",
+        (("degree", 1),),
+    ),
+    Case(
+        "stability_region",
+        sp.And(k1 < -3, k2 < 2 * k1 + 2),
+        MATRIX,
+        REFUSED,
+        "the former name of the degree",
         (("margin", 1),),
     ),
     Case(
@@ -115,7 +123,7 @@ CASES = [
         MATRIX,
         "right",
         "margin 1, closed region",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case(
         "stability_region",
@@ -123,7 +131,7 @@ CASES = [
         MATRIX,
         "wrong",
         "the margin forgotten",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case("stability_region", False, NEVER, "right", "the empty set: the trace is fixed"),
     Case("stability_region", sp.S.EmptySet, NEVER, "right", "the empty set as a set"),
@@ -233,7 +241,7 @@ CASES = [
         MATRIX,
         "wrong",
         "margin 1, a line more",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case(
         "stability_region",
@@ -241,7 +249,7 @@ CASES = [
         MATRIX,
         "wrong",
         "margin 1, a line less",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case(
         "stability_region",
@@ -249,7 +257,7 @@ CASES = [
         MATRIX,
         "right",
         "margin 1, half of the border",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case(
         "stability_region",
@@ -257,7 +265,7 @@ CASES = [
         NEVER,
         "wrong",
         "margin 1, an equation instead of the empty set",
-        (("margin", 1),),
+        (("degree", 1),),
     ),
     Case("stability_region", k1 > -1, SECOND, "right", "the order drops at -1: left out"),
     Case(

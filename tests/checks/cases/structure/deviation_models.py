@@ -44,7 +44,7 @@ CASES = [
         "similarity_matrix",
         sp.eye(2),
         (Linear(OTHER), TURNING),
-        "unchecked",
+        "refused",
         "deviations that change with time: no such problem is set",
     ),
     Case("measured_quantity", "place", MEASURED, "right", "a linear quantity"),
@@ -76,7 +76,7 @@ CASES = [
         "measured_quantity",
         "place",
         (Linear(OTHER, H=M([[0, 1]])), STONE, {"place": x, "way": 2 * x}),
-        "unchecked",
+        "refused",
         "two quantities that the equations do not tell apart",
     ),
 ]

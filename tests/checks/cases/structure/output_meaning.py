@@ -46,7 +46,7 @@ CASES = [
         "measured_quantity",
         "mass",
         (Linear(BOTH, H=sp.Matrix([[1, 0, 1, 0]])), Linear(BOTH), PARTS),
-        "unchecked",
+        "refused",
         "a measurement of neither: no such problem is set",
     ),
 ]

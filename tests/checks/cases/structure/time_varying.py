@@ -275,7 +275,7 @@ CASES = [
         "observable_parameters",
         sp.Ne(w, 2),
         (Varying(FREE, sp.Matrix([[1, 1 / (1 + t)]]), t), [w]),
-        "unchecked",
+        "refused",
         "a row beyond the method",
     ),
     Case("unobservable_states_at", {2: [[1, 0]]}, (*BEAT, w), "right", "one value"),
@@ -283,7 +283,7 @@ CASES = [
         "unobservable_states_at",
         SIDEWAYS,
         (Varying(PLANE, RADAR, w),),
-        "unchecked",
+        "refused",
         "the time forgotten in the data",
     ),
     Case(

@@ -15,7 +15,7 @@ from workbook.systems import Linear, Scalar, WithError
 VALUES = (sp.Rational(1, 7), sp.Rational(3, 5), sp.Rational(13, 9), sp.Integer(4), sp.Integer(31))
 
 
-def _meets(matrix, parameters, margin, polynomial, symbol, given):
+def _meets(matrix, parameters, degree, polynomial, symbol, given):
     """Whether the spectrum is as required; with parameters at values of either sign, as they may
     be."""
     s = sp.Dummy("s")
@@ -39,7 +39,7 @@ def _meets(matrix, parameters, margin, polynomial, symbol, given):
                 there = sp.Poly([sp.Rational(c) for c in there.all_coeffs()], s).sqf_part()
             roots = there.nroots(n=30, maxsteps=500)
             worst = max(sp.re(root) for root in roots)
-            if not (worst < 0 if margin == 0 else worst <= -margin + sp.Rational(1, 10**9)):
+            if not (worst < 0 if degree == 0 else worst <= -degree + sp.Rational(1, 10**9)):
                 return False
     return True
 
@@ -58,13 +58,13 @@ def observer_gain(mutant, reference, system, *parameters, **required):
 
 
 def _is_gain(
-    mutant, reference, A, H, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
+    mutant, reference, A, H, parameters=(), given=sp.true, degree=0, polynomial=None, symbol=None
 ):
     if _empty(mutant, reference):
         return _empty(mutant) and _empty(reference)
     L = _of_shape(mutant, A.rows, H.rows)
     return L.shape == (A.rows, H.rows) and _meets(
-        A - L * H, parameters, margin, polynomial, symbol, given
+        A - L * H, parameters, degree, polynomial, symbol, given
     )
 
 
@@ -123,13 +123,13 @@ def state_space_form(mutant, reference, equation):
 
 
 def equation_gains(mutant, reference, equation):
-    """The margin asked for is that of the greatest common divisors, as SymPy factors them."""
+    """The degree asked for is that of the greatest common divisors, as SymPy factors them."""
     common = [
         root
         for side in (equation.right, equation.measured)
         for root in sp.roots(sp.gcd(equation.left, side), equation.symbol)
     ]
-    margin = -max(map(sp.re, common)) if common else 0
+    degree = -max(map(sp.re, common)) if common else 0
     return (
         len(mutant) == 6
         and state_space_form(mutant[:4], None, equation)
@@ -141,7 +141,7 @@ def equation_gains(mutant, reference, equation):
                 _of_shape(mutant[1], equation.order, 1),
                 _of_shape(mutant[3], 1, equation.order),
             ),
-            margin=margin,
+            degree=degree,
         )
     )
 
@@ -182,7 +182,7 @@ def observer_equations(
     controls=(),
     parameters=(),
     given=sp.true,
-    margin=0,
+    degree=0,
     polynomial=None,
     symbol=None,
 ):
@@ -205,15 +205,15 @@ def observer_equations(
         A.rows, 1
     ):
         return False
-    return _meets(matrix, parameters, margin, polynomial, symbol, given)
+    return _meets(matrix, parameters, degree, polynomial, symbol, given)
 
 
-def _region(mutant, matrix, parameters, margin):
+def _region(mutant, matrix, parameters, degree):
     """Hurwitz's minors in fractions on a fine grid, and where a term of the mutant vanishes on its
-    lines; the border of a margin is left out."""
+    lines; the border of a degree is left out."""
     if not isinstance(mutant, LOGIC):
         return False
-    least = _least_minor(sp.ImmutableMatrix(matrix), tuple(parameters), margin)
+    least = _least_minor(sp.ImmutableMatrix(matrix), tuple(parameters), degree)
     said = sp.lambdify(parameters, mutant, "math")
     grid = (point for _, line in _lines(len(parameters)) for point in line)
     # most mutants differ on the grid already
@@ -221,7 +221,7 @@ def _region(mutant, matrix, parameters, margin):
         if any(p.is_positive and not x > 0 for p, x in zip(parameters, point)):
             continue
         sign = least(point)
-        if margin and sign == 0:
+        if degree and sign == 0:
             continue
         if all(x.denominator in (1, 2, 4) for x in point):
             there = holds(said, point)
@@ -233,11 +233,11 @@ def _region(mutant, matrix, parameters, margin):
 
 
 @functools.lru_cache(maxsize=8)
-def _least_minor(matrix, parameters, margin):
+def _least_minor(matrix, parameters, degree):
     """The least of Hurwitz's minors as a function of a point: the same for all mutants of a
     region."""
     s = sp.Dummy("s")
-    polynomial = ((s - margin) * sp.eye(matrix.rows) - matrix).det(method="berkowitz")
+    polynomial = ((s - degree) * sp.eye(matrix.rows) - matrix).det(method="berkowitz")
     minors = sp.lambdify(parameters, _minors(polynomial, s), [])
     return functools.lru_cache(maxsize=None)(lambda point: min(minors(*point)))
 
@@ -276,12 +276,12 @@ def _zeros(mutant, parameters):
                 )
 
 
-def gain_region(mutant, reference, system, gain, parameters, margin=0):
+def gain_region(mutant, reference, system, gain, parameters, degree=0):
     if isinstance(system, Scalar):
         return _equation_region(mutant, system, gain, parameters)
     A, B, H = system.A, system.B, system.H
     loop = A - gain * H if not B.cols else A + B * gain * H if H.rows else A + B * gain
-    return _region(mutant, loop, parameters, margin)
+    return _region(mutant, loop, parameters, degree)
 
 
 @functools.lru_cache(maxsize=256)

@@ -19,6 +19,7 @@ def same_parts(mutant, reference, *_, **__):
 def same_or_mirrored(mutant, reference, problem, *_, **__):
     """True if a control is the other one, or its mirror image where this changes nothing in the
     problem, or another turn of the same angle."""
+    mutant, reference = _with_length(mutant), _with_length(reference)
     return same_parts(mutant, reference) or (
         isinstance(mutant, sp.Expr)
         and (
@@ -32,6 +33,19 @@ def same_or_mirrored(mutant, reference, problem, *_, **__):
             )
         )
     )
+
+
+def _with_length(control):
+    """Return a list of arcs [value, until] without those that end where the one before ends."""
+    if not isinstance(control, (list, tuple)):
+        return control
+    kept, begin = [], sp.Integer(0)
+    for arc in control:
+        if isinstance(arc, (list, tuple)) and len(arc) == 2 and sp.sympify(arc[1]) == begin:
+            continue
+        kept.append(arc)
+        begin = sp.sympify(arc[1]) if isinstance(arc, (list, tuple)) and len(arc) == 2 else None
+    return kept
 
 
 def _of_angle(problem):

@@ -7,9 +7,9 @@ from oracles.sameness import LOGIC, same_condition
 from workbook.systems import Deviations
 
 
-def stability_region(mutant, reference, system, parameters, margin=0):
+def stability_region(mutant, reference, system, parameters, degree=0):
     """As `same_condition`, with the two conventions: where the order drops, and on the boundary of
-    a margin."""
+    a degree."""
     if not isinstance(mutant, LOGIC):
         return False
     if isinstance(system, Deviations):
@@ -31,10 +31,10 @@ def stability_region(mutant, reference, system, parameters, margin=0):
         }
         if leading.xreplace(values) == 0:
             return True
-        if margin == 0:
+        if degree == 0:
             return False
         roots = sp.Poly(polynomial.as_expr().xreplace(values), polynomial.gen).nroots(n=20)
-        return abs(max(sp.re(root) for root in roots) + margin) < 1e-9
+        return abs(max(sp.re(root) for root in roots) + degree) < 1e-9
 
     return same_condition(mutant, reference, convention)
 

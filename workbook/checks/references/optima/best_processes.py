@@ -8,6 +8,8 @@ time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`, `uni
 units of `units.scaled_problem`; a constant of the cost is in none of these numbers.
 """
 
+from trajlib._arguments.symbols import join_names
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.several_controls import optima as optima_of_several
 from workbook.checks.references.optima.thrust_optima import thrust_optima
@@ -28,12 +30,18 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     count : int
         Their number.
     """
+    if unnamed := set(problem.parameters) - set(parameters or ()):
+        raise UnsuitableData(
+            f"parameters: expected intervals of all symbols, got none of {join_names(unnamed)}"
+        )
     if not isinstance(parameters, dict):
         try:
             return Transfer(problem, parameters or ()).samples(count)
         except Unknown:
             if parameters:
-                raise
+                raise UnsuitableData(
+                    "parameters: expected a dict from symbols to intervals for this problem, got a list"
+                ) from None
     return best_processes_at(problem, parameters)
 
 

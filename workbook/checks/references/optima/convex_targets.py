@@ -4,6 +4,8 @@ ellipses, parabolas."""
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.verdict import UnsuitableData
+
 
 class ConvexTarget:
     """A convex set D = {g <= 0}, or the hull of points, by its support function, for each case."""
@@ -42,7 +44,7 @@ class ConvexTarget:
     def _curve(self, g, state, names, cases, zero):
         hessian, gradient = sp.hessian(g, state), sp.Matrix([g.diff(v) for v in state])
         if any(v.free_symbols & set(state) for v in hessian):
-            raise ValueError("a target of degree one or two is expected")
+            raise UnsuitableData("a target of degree one or two is expected")
         gradient, constant = gradient.subs(zero), g.subs(zero)
         numbers = [
             [

@@ -34,8 +34,9 @@ FIXED = (8.0, 16.0, 32.0, 4.0)
 TWICE = 1e-6
 #: Which part of the duration an arc has to take to be one.
 SHORT = 1e-4
-#: An arc that takes a smaller part of the duration came out as none.
-EMPTY = 1e-9
+#: An arc that takes a smaller part of the duration came out as none: where the control acts late, as at
+#: the beginning of a motion, the cost grows with the cube of its length, so no smaller one is found.
+EMPTY = 1e-5
 #: From how many controls a search begins.
 STARTS = 6
 #: Up to what two costs are the same.
@@ -241,7 +242,20 @@ class _Search(DirectGuesses):
             case, *least[1:3]
         ):
             least = zero
-        return self._optimum(case, *least[:3])
+        arcs, unknown = self._without_empty_arcs(*least[1:3])
+        if len(arcs) < len(least[1]) and (fewer := self._run(case, span, side, arcs, unknown)):
+            least = fewer
+        return self._optimum(case, least[0], *self._without_empty_arcs(*least[1:3]))
+
+    def _without_empty_arcs(self, arcs, unknown):
+        """Return arcs and unknowns without the arcs that came out as none."""
+        times, states, controls, lengths = self._unpacked(arcs, unknown)
+        present = lengths > EMPTY * times[-1]
+        keep = np.repeat(present, [pieces * degree_of(arcs) for _, pieces in arcs])
+        states = states[:, np.append(True, keep)]
+        return list(itertools.compress(arcs, present)), self._packed(
+            states[:, 0], states[:, 1:], controls[keep], lengths[present]
+        )
 
     def _refined_beyond(self, case, span, side, arcs, unknown):
         """Return, in a list, the process that may have further short arcs at its ends."""
@@ -264,15 +278,13 @@ class _Search(DirectGuesses):
 
     def _optimum(self, case, cost, arcs, unknown):
         times, states, controls, lengths = self._unpacked(arcs, unknown)
-        present = lengths > EMPTY * times[-1]
-        keep = np.repeat(present, [pieces * degree_of(arcs) for _, pieces in arcs])
         ends = np.cumsum(lengths)
         return Optimum(
             self,
             case,
             self._sign * cost,
-            times[np.append(True, keep)],
-            states[:, np.append(True, keep)],
-            controls[keep],
-            list(itertools.compress(zip(kinds_of(arcs), ends - lengths, ends), present)),
+            times,
+            states,
+            controls,
+            list(zip(kinds_of(arcs), ends - lengths, ends)),
         )

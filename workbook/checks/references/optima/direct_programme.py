@@ -121,10 +121,8 @@ class DirectProgramme(DirectProblem):
         _, derivative, between = radau(degree)
         y0, y, u = ca.SX.sym("y0", n), ca.SX.sym("y", n, count), ca.SX.sym("u", count)
         absolutes, lengths = ca.SX.sym("a", len(self._absolute), count), ca.SX.sym("T", len(pieces))
-        p, side, low, high = (
-            ca.SX.sym("p", len(self._parameters)),
-            *(ca.SX.sym(name) for name in ("s", "l", "h")),
-        )
+        p = ca.SX.sym("p", len(self._parameters))
+        side, low, high = map(ca.SX.sym, ("s", "l", "h"))
         rates, final, gap, insides = self.casadi_functions
         # Everything at once: one call for all points costs little more than one for each.
         arcs = np.repeat(np.arange(len(pieces)), pieces)

@@ -8,6 +8,7 @@ has an error in even powers of the step, and three grids remove the first two of
 
 import functools
 import itertools
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import NamedTuple
 
@@ -193,9 +194,9 @@ class _Programme(NamedTuple):
     All are functions of the values at the nodes and of the programme's parameters.
     """
 
-    solver: "ca.Function"
-    hessian: "ca.Function"
-    equations: "ca.Function"
+    solver: Callable
+    hessian: Callable
+    equations: Callable
 
 
 @functools.cache

@@ -3,6 +3,8 @@
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.verdict import UnsuitableData
+
 
 class Plant:
     """x' = Ax + bu in the plane, by closed formulas."""
@@ -13,7 +15,9 @@ class Plant:
         if len(state) != 2 or (field - A * sp.Matrix(state) - b * control).applyfunc(
             sp.expand
         ) != sp.zeros(2, 1):
-            raise ValueError("the plant has to be linear in two state variables and the control")
+            raise UnsuitableData(
+                "the plant has to be linear in two state variables and the control"
+            )
         self.A, self.b = np.array(A, dtype=float), np.array(b, dtype=float).ravel()
         self.bounds = tuple(float(bound) for bound in bounds)
         self.mean, self.half = sum(self.bounds) / 2, (self.bounds[1] - self.bounds[0]) / 2

@@ -149,7 +149,7 @@ class LinearTransfer(TransferSystem):
 
     def time_message(self, start, claimed, true):
         return directed(
-            "that is not enough for any admissible control"
+            "no admissible control needs so little time"
             if claimed < true
             else "an admissible control arrives earlier",
             "that is not the least time of an admissible control",

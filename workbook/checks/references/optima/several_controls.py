@@ -17,6 +17,7 @@ import sympy as sp
 
 from trajlib._lazy import casadi as ca
 from workbook.checks.contract.direction import directed
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.optima.runge_kutta import rk4
 
 #: Arcs at first and at most, and steps of each: where processes are only compared, and where they
@@ -62,7 +63,7 @@ def optima(problem, parameters=None, points=None):
         or problem.first_return
         or None in problem.initial.values()
     ):
-        raise ValueError(
+        raise UnsuitableData(
             "with several controls the cost has to be the least time from a given start"
         )
     stated = (
@@ -135,7 +136,7 @@ class _Search:
         state, field = zip(*dynamics)
         control_symbols, bounds = zip(*controls)
         if any(b is None or b.is_finite is False for pair in bounds for b in pair):
-            raise ValueError("with several controls each has to have bounds")
+            raise UnsuitableData("with several controls each has to have bounds")
         self._bounds = sp.lambdify(names, list(bounds), "math")
         self._start = sp.lambdify(names, [value for _, value in self._initial], "math")
         self._size = len(control_symbols)

@@ -281,7 +281,7 @@ class ThrustOptimum:
         return directed(
             "the point can come there earlier"
             if duration > self.duration
-            else "no direction of the thrust brings the point there so early, or it misses then",
+            else "with no direction of the thrust does the point reach its target at that time",
             "that is not the earliest time at which the point can come there",
         )
 

@@ -18,6 +18,7 @@ import operator
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.natural_units import COST, TIME, natural_units
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_transfers import LinearTransfer
@@ -40,7 +41,7 @@ SAMPLES = 10
 CLOSE = sp.Rational(1, 10**6)
 
 
-class Unknown(RuntimeError):
+class Unknown(UnsuitableData):
     """Raised for a problem whose optimum is not known in one of these ways."""
 
 
@@ -80,8 +81,7 @@ class Transfer:
             or None in self.initial
         ):
             raise Unknown(
-                "the independent optimum of this kind is known where the cost is the time of one "
-                "control"
+                "problem: expected the least or greatest time of one control with two bounds"
             )
         (self.control,), self.bounds = problem.controls, bounds
         self._in_units(problem)
@@ -102,7 +102,7 @@ class Transfer:
         ):
             self._kind = HomogeneousTransfer
         else:
-            raise Unknown("no independent optimum is known for a transfer of this kind")
+            raise Unknown("problem: expected a transfer to the origin or to a line, or one state")
 
     def _in_units(self, problem):
         """State the problem in its natural units, in which optima are computed and samples drawn."""

@@ -213,8 +213,8 @@ class HomogeneousTransfer(TransferSystem):
                 else "by then every admissible control has met the target long before"
             )
         return (
-            "the direction of (x, x') does not turn just then by the angle from the start to the "
-            "target"
+            "the vector (x, x') has not turned by the angle between the initial state and the target "
+            "at that time"
         )
 
 

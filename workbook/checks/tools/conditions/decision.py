@@ -15,7 +15,14 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.tools.conditions.cell_search import cells_of_symbol, points_of_difference
-from workbook.checks.tools.conditions.evaluation import OPERATORS, allowed, prepared, sign
+from workbook.checks.tools.conditions.evaluation import (
+    DIGITS,
+    NOTHING,
+    OPERATORS,
+    allowed,
+    prepared,
+    sign,
+)
 from workbook.checks.tools.conditions.polynomial_form import (
     PolynomialForm,
     Undecidable,
@@ -30,6 +37,8 @@ from workbook.checks.tools.conditions.polynomial_form import (
 STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 #: Points that may differ, of which so many are evaluated exactly.
 MOST_POINTS = 20
+#: Changes of a coordinate, to leave a border of the reference.
+STEPS_ASIDE = [sp.Rational(1, q) for q in (1, 2, 10, 100)]
 #: Combinations of numbers that decimals may stand for, of which so many are tried.
 MOST_COMBINED = 60
 
@@ -177,14 +186,53 @@ def _simplified(point, readings, parameters, case, holds, reference):
     if not confirm(point):
         return None
     # With unknowns every coordinate hangs on the others, so the point stays as it is.
-    for k, x in enumerate(point if not case.unknowns or case.every else ()):
+    if not case.unknowns or case.every:
+        point = _simplest(point, confirm, lambda p: _is_inner(dict(zip(parameters, p)), case))
+    return dict(zip(parameters, point)), holds
+
+
+def _simplest(point, confirm, is_inner):
+    """Return a confirmed point with simple coordinates, on no border if one is found beside it.
+
+    A point on a border of the reference would give the border away.
+    """
+    if not is_inner(point):
+        point = next((p for p in _beside(point) if is_inner(p) and confirm(p)), point)
+    keeps = is_inner if is_inner(point) else lambda p: True
+    for k, x in enumerate(point):
         for q in (1, 2, 10, 100, 1000):
             rational = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
             simpler = (*point[:k], rational, *point[k + 1 :])
-            if rational == x or confirm(simpler):
+            if rational == x or (confirm(simpler) and keeps(simpler)):
                 point = simpler
                 break
-    return dict(zip(parameters, point)), holds
+    return point
+
+
+def _is_inner(values, case):
+    """Return whether values of the parameters are on no border of a case."""
+    borders = (
+        relation.lhs - relation.rhs
+        for relation in case.condition.atoms(Relational)
+        if relation.free_symbols <= values.keys()
+    )
+    return not any(_vanishes(border.xreplace(values)) for border in borders)
+
+
+def _vanishes(number):
+    """Return whether a number is zero; one that is undefined is not."""
+    for digits, size in ((15, 1e-6), (DIGITS, NOTHING)):
+        magnitude = abs(sp.N(number, digits))
+        if magnitude is sp.nan or magnitude >= size:
+            return False
+    return True
+
+
+def _beside(point):
+    """Yield points that differ from a point in one coordinate by a simple number."""
+    for step in STEPS_ASIDE:
+        for k, x in enumerate(point):
+            yield from ((*point[:k], x + change, *point[k + 1 :]) for change in (step, -step))
 
 
 class _Question:

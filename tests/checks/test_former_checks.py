@@ -1,0 +1,58 @@
+"""Former names of checks: notebooks that were handed out before still work."""
+
+import inspect
+
+import pytest
+import sympy as sp
+from case import CHECKS
+
+from workbook import checks
+from workbook.checks.contract.former_checks import FORMER
+
+x, v, p = sp.symbols("x v p", real=True)
+n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
+PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
+WELL = [v, -x - k * v], [x, v], [k]
+UP, DOWN = sp.pi + 2 * sp.pi * n, 2 * sp.pi * n
+HANGING = sp.Matrix([[0, 1], [-k, -1]])
+STANDING = sp.Matrix([[0, 1], [k, -1]])
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "wrong", "data"),
+    [
+        ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),
+        ("equilibrium_angles_exist", True, k > 1, PENDULUM),
+        ("focus_region", k < 2, k < 3, WELL),
+        ("linearisation_matrices", [HANGING, STANDING], [HANGING], (*PENDULUM, k < 2, n)),
+        ("node_region", k > 2, k > 3, WELL),
+        ("saddle_angle_condition", sp.cos(p) < 0, sp.cos(p) > 0, (*PENDULUM, p)),
+        ("stable_angle_condition", sp.cos(p) > 0, sp.cos(p) < 0, (*PENDULUM, p)),
+        ("stable_equilibria", [(0, 0)], [], ([v, -x - v], [x, v])),
+        ("stable_equilibrium_angles", [DOWN], [UP], (*PENDULUM, n)),
+        ("stable_equilibrium_values", [DOWN], [UP], (*PENDULUM, k < 2, n)),
+        (
+            "stationary_exists",
+            k > 1,
+            k > 2,
+            ([k - 1 - x], [x], [k], {x: sp.Interval.open(0, sp.oo)}),
+        ),
+        ("stationary_linearisation", [[0, 1], [-1, -k]], [[0, 1], [1, -k]], WELL),
+        ("stationary_points", [0, 0], [0, 1], (*WELL, {x: sp.Interval(-1, 1)}, [x, v])),
+        ("stationary_stability", "asymptotically stable", "unstable", WELL),
+        ("stationary_type", "saddle", "centre", ([v, k * x], [x, v], [k])),
+        ("stationary_value", 1 + k, k, (x + k, [1 - x], [x], [k])),
+        ("unstable_equilibrium_angles", [UP], [DOWN], (*PENDULUM, n)),
+        ("unstable_equilibrium_values", [UP], [DOWN], (*PENDULUM, k < 2, n)),
+    ],
+)
+def test_a_former_name_takes_its_data_in_their_former_order(name, right, wrong, data):
+    check = getattr(checks, name)
+    assert check(right, *data).status == "right", check(right, *data).message
+    assert check(wrong, *data).status == "wrong", check(wrong, *data).message
+
+
+def test_each_former_name_has_a_present_check_with_its_data():
+    assert not FORMER.keys() & set(CHECKS)
+    for new, order, fixed in FORMER.values():
+        assert {*order.split(), *fixed} <= inspect.signature(getattr(checks, new)).parameters.keys()

@@ -1,0 +1,12 @@
+# Written by `python -m workbook._stubs`.
+from workbook.authoring.errors import MasterError as MasterError
+from workbook.authoring.links import Links as Links
+from workbook.authoring.master import Answer as Answer
+from workbook.authoring.master import Cell as Cell
+from workbook.authoring.master import Master as Master
+from workbook.authoring.master import master_paths as master_paths
+from workbook.authoring.master import read as read
+from workbook.authoring.master import read_all as read_all
+from workbook.authoring.scaffold import new_problem as new_problem
+from workbook.authoring.student_notebook import write_exercises as write_exercises
+from workbook.authoring.trials import Trial as Trial

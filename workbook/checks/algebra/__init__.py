@@ -1,0 +1,1 @@
+"""Checks of algebra that need no data of a problem."""

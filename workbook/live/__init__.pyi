@@ -1,0 +1,13 @@
+# Written by `python -m workbook._stubs`.
+from workbook.live.errors import LiveError as LiveError
+from workbook.live.explorers import circle_synthesis as circle_synthesis
+from workbook.live.explorers import distance_to_unobservable as distance_to_unobservable
+from workbook.live.explorers import explore as explore
+from workbook.live.explorers import fastest_motion as fastest_motion
+from workbook.live.explorers import manual_control as manual_control
+from workbook.live.explorers import phase_portrait as phase_portrait
+from workbook.live.explorers import pole_zero_cancellation as pole_zero_cancellation
+from workbook.live.explorers import region_of_stability as region_of_stability
+from workbook.live.presentations import find_presentation as find_presentation
+from workbook.live.presentations import lectures as lectures
+from workbook.live.presenting import present as present

@@ -1,0 +1,14 @@
+# Written by `python -m workbook._stubs`.
+from workbook.systems.linear import Deviations as Deviations
+from workbook.systems.linear import Linear as Linear
+from workbook.systems.linear import Measurements as Measurements
+from workbook.systems.linear import Mechanical as Mechanical
+from workbook.systems.linear import Scalar as Scalar
+from workbook.systems.linear import Varying as Varying
+from workbook.systems.linear import WithError as WithError
+from workbook.systems.optimal import Controlled as Controlled
+from workbook.systems.optimal import Functional as Functional
+from workbook.systems.optimal import Quadratic as Quadratic
+from workbook.systems.random_processes import Coloured as Coloured
+from workbook.systems.random_processes import FilterErrors as FilterErrors
+from workbook.systems.random_processes import Process as Process
