@@ -1,5 +1,5 @@
 # %% wrong
-# Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+# Is this plain asymptotic stability, with the degree of stability forgotten? (hint 1)
 a_region = sp.And(k1 < -diagonal, k2 < diagonal * k1)
 # Were the roots shifted to the wrong side? (hint 1)
 m, d = margin, diagonal
@@ -10,7 +10,7 @@ a_region = sp.And(k1 <= -d - m, k2 <= (d + m) * (k1 + m))
 # Was the sign of the determinant reversed? (hint 1)
 m = margin
 b_region = sp.And(k1 <= -2 * m, k2 >= m * (k1 + m) / factor)
-# Was the matrix itself compared with the margin, instead of the shifted one? (hint 1)
+# Was the matrix itself compared with the degree of stability, instead of the shifted one? (hint 1)
 b_region = sp.And(k1 <= -margin, k2 <= -margin)
 # Which of the two branches of the hyperbola agrees with the trace? (hint 2)
 c_region = (k1 - margin) * (k2 - margin) >= coupling
@@ -19,13 +19,13 @@ c_region = sp.And(k1 >= margin, k2 >= margin)
 # Is this the region of item b without the exchange of the parameters? (hint 1)
 m = margin
 d_region = sp.And(k1 <= -2 * m, k2 <= m * (k1 + m))
-# Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+# Is this plain asymptotic stability, with the degree of stability forgotten? (hint 1)
 d_region = sp.And(k2 < 0, k1 < 0)
-# Is this plain asymptotic stability, with the margin forgotten? (hint 1)
+# Is this plain asymptotic stability, with the degree of stability forgotten? (hint 1)
 e_region = sp.And(k1 > -1, k1 + k2 > 0)
 # Is this the determinant before the shift? (hint 1)
 e_region = sp.And(k1 >= 2 * margin - 1, k1 + k2 >= 0)
-# Is this plain asymptotic stability? The margin requires more. (hint 1)
+# Is this plain asymptotic stability? The degree of stability requires more. (hint 1)
 f_region = 2 * k1 - 3 * k2 + k1 * k2 - 4 < 0
 # Was only the determinant considered, without the trace? (hint 1)
 f_region = (1 + margin) * (margin - 2) - (2 + k2) * (k1 - 3) >= 0
@@ -88,18 +88,16 @@ margin, diagonal, factor, coupling = [
     (sp.Rational(3, 2), 2, 2, 3),
     (4, 1, 2, 2),
     (sp.Rational(5, 2), 1, 3, 4),
-    (2, 2, 3, 3),
-    (3, 3, 2, 5),
-    (sp.Rational(3, 2), 3, 4, 2),
-    (4, 3, 3, 6),
+    (sp.Rational(7, 2), 1, 1, 1),
+    (sp.Rational(9, 2), 2, 1, 2),
+    (6, 1, 1, 2),
+    (sp.Rational(11, 2), 2, 1, 2),
     (5, 2, 2, 3),
-    (sp.Rational(5, 2), 2, 2, 2),
-    (2, 1, 4, 5),
-    (3, 1, 4, 4),
-    (5, 1, 3, 2),
+    (7, 2, 2, 1),
+    (8, 1, 3, 2),
 ]
 shown = [
-    "margin «str(margin)»",
+    "degree of stability «str(margin)»",
     r"\operatorname{Re}\lambda \leq -«margin»$",
     r"x = \exp(-«margin*»t) y",
     r"A + «margin*»I",

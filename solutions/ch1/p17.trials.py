@@ -13,7 +13,7 @@ m = margin
 b_region = sp.And(epsilon >= -2 * m, omega2 >= -m * epsilon - m**2)
 # Was the last coefficient shifted in full? (hint 1)
 b_region = sp.And(epsilon >= 2 * margin, omega2 >= margin * epsilon)
-b_region = sp.And(epsilon > 0, omega2 > 0)  # Was the margin forgotten? (hint 1)
+b_region = sp.And(epsilon > 0, omega2 > 0)  # Was the degree of stability forgotten? (hint 1)
 
 # %% right
 a_region = [epsilon > 0, epsilon * omega2 > 0]  # both minors as they come
@@ -34,7 +34,7 @@ margin = [1, 2, 3, 4, 5, 6] + [
     sp.Rational(p, q) for p, q in [(1, 2), (3, 2), (5, 2), (7, 2), (1, 3), (2, 3), (4, 3), (5, 3)]
 ]
 shown = [
-    "margin «str(margin)»",
+    "degree of stability «str(margin)»",
     r"\operatorname{Re} \lambda \leq -«margin»$",
     r"\operatorname{Re}\lambda \leq -«margin»$",
     r"\operatorname{Re} \lambda = -«margin»$",

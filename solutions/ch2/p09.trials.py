@@ -11,9 +11,11 @@ b_region = sp.And(sp.Ne(k, -p - 1), sp.Ne(k, -2 * p - 4))
 b_region = k > p**2 / 4  # Must the roots be complex? (hint 1)
 # What is the output of each of the two eigenvectors? Combine them so that the outputs cancel. (hint
 # 2)
-c_unseen = [[1, 0, -1, -q]]
-c_unseen = [[2, 0, -q, -(q**2)]]  # Were the two coefficients swapped? (hint 2)
-c_unseen = [[q, 0, 2, 2 * q]]  # Do the outputs add up here instead of cancelling? (hint 2)
+c_unobservable_states = [[1, 0, -1, -q]]
+c_unobservable_states = [[2, 0, -q, -(q**2)]]  # Were the two coefficients swapped? (hint 2)
+c_unobservable_states = [
+    [q, 0, 2, 2 * q]
+]  # Do the outputs add up here instead of cancelling? (hint 2)
 # Is the theorem about two outputs that are measured separately? (hint 1)
 d_observable = False
 
@@ -27,7 +29,7 @@ x = sp.Symbol("x")
 b_region = sp.Ne(sp.resultant(x**2 + 3 * x + 2, x**2 + p * x + k, x), 0)
 b_region = [sp.Ne(p, k + 1), sp.Ne(p, k / 2 + 2)]  # a list of conditions, solved for p
 b_region = sp.Not(sp.Or(sp.Eq(1 - p + k, 0), sp.Eq(4 - 2 * p + k, 0)))  # a negation
-c_unseen = [[1, 0, -2 / q, -2]]  # divided by q, which is positive
+c_unobservable_states = [[1, 0, -2 / q, -2]]  # divided by q, which is positive
 # the other sign and length, plain symbols
 Q, S = sp.symbols("q s")
-c_unseen = [[-Q * (Q + S), 0, 2 * (Q + S), 2 * Q * (Q + S)]]
+c_unobservable_states = [[-Q * (Q + S), 0, 2 * (Q + S), 2 * Q * (Q + S)]]

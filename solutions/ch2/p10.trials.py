@@ -1,13 +1,15 @@
 # %% wrong
 observable = True  # Is it enough that every state acts on another one? (hint 1)
 # Was a sign lost when z and its derivative were set to zero? (hint 1)
-unseen = [[unseen[0][0], unseen[0][1], -unseen[0][2]]]
+unobservable_states = [
+    [unobservable_states[0][0], unobservable_states[0][1], -unobservable_states[0][2]]
+]
 # Are all states unobservable that are not measured directly? (hint 1)
-unseen = [[1, 0, 0], [0, 0, 1]]
+unobservable_states = [[1, 0, 0], [0, 0, 1]]
 # Is the measured coordinate alone the observable part? (hint 1)
 split = sp.Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]])
 # Is this the matrix of the basis instead of that of the coordinates? (hint 1)
-split = sp.Matrix.vstack(H, H * A, sp.Matrix([unseen[0]])).inv()
+split = sp.Matrix.vstack(H, H * A, sp.Matrix([unobservable_states[0]])).inv()
 split = sp.Matrix.vstack(H, H * A, H * A**2)  # Are the three rows independent? (hint 2)
 # Does the unobservable coordinate act on the observable ones here? Was the matrix transposed? (hint
 # 1)
@@ -28,22 +30,22 @@ canonical_coordinates = 2 * sp.Matrix(canonical_coordinates)
 canonical_coordinates = sp.Matrix([[1, 0], [-1, 1]]) * sp.Matrix(canonical_coordinates)
 
 # %% right
-unseen = [[-2 * v for v in unseen[0]]]  # another length and sign
-unseen = sp.Matrix(unseen[0]) / 3  # a column
+unobservable_states = [[-2 * v for v in unobservable_states[0]]]  # another length and sign
+unobservable_states = sp.Matrix(unobservable_states[0]) / 3  # a column
 # another last coordinate
-split = sp.Matrix.vstack(H, H * A, sp.Matrix([unseen[0]]))
+split = sp.Matrix.vstack(H, H * A, sp.Matrix([unobservable_states[0]]))
 # another second coordinate
-split = sp.Matrix.vstack(H, H * A - 3 * H, sp.Matrix([unseen[0]])).tolist()
+split = sp.Matrix.vstack(H, H * A - 3 * H, sp.Matrix([unobservable_states[0]])).tolist()
 # floats, the sum and the difference as coordinates of the observable part
 import numpy as np
 
-h, rate, v = (np.array(row, dtype=float).ravel() for row in (H, H * A, unseen[0]))
+h, rate, v = (np.array(row, dtype=float).ravel() for row in (H, H * A, unobservable_states[0]))
 split = np.array([h + rate, h - rate, v])
 # with another last coordinate
-P = sp.Matrix.vstack(H, H * A, sp.Matrix([unseen[0]]))
+P = sp.Matrix.vstack(H, H * A, sp.Matrix([unobservable_states[0]]))
 split_system = [P * A * P.inv(), sp.Matrix([[1, 0, 0]])]
 # with another second coordinate, as lists
-P = sp.Matrix.vstack(H, H * A - 3 * H, sp.Matrix([unseen[0]]))
+P = sp.Matrix.vstack(H, H * A - 3 * H, sp.Matrix([unobservable_states[0]]))
 split_system = [(P * A * P.inv()).tolist(), [[1, 0, 0]]]
 # lists, the output as a plain list
 canonical = [sp.Matrix(canonical[0]).tolist(), [1, 0]]
@@ -66,15 +68,12 @@ A = [
         [[1, -2, 0], [1, -2, 2], [0, -2, 1]],
         [[0, 1, -2], [-1, 0, 2], [-1, 0, 1]],
         [[-2, 0, 0], [1, 0, 1], [0, -1, -2]],
-        [[1, -1, 2], [1, 0, 1], [1, -1, 0]],
         [[-1, 2, -2], [1, 1, -2], [0, 0, -2]],
         [[2, -1, -1], [-2, 0, -2], [-1, 0, 2]],
         [[2, 0, 0], [1, -1, 1], [-2, 1, 0]],
         [[0, 1, 2], [-1, 1, -2], [0, 1, -1]],
-        [[-2, 1, 0], [1, -2, 1], [0, 0, -2]],
-        [[0, 2, -1], [1, 1, 1], [0, 2, 1]],
+        [[-1, 0, 0], [-1, -1, -1], [0, -1, -1]],
         [[0, -1, 0], [-2, -2, -2], [-1, 1, -1]],
-        [[1, 2, 0], [1, 1, -2], [0, 2, 1]],
         [[1, 0, 2], [-1, -2, -2], [0, 2, 0]],
     ]
 ]
@@ -83,8 +82,8 @@ shown = [
     r"\dot x_1 = «sides[0]», \qquad \dot x_2 = «sides[1]», \qquad \dot x_3 = «sides[2]»,",
 ]
 rows = sp.Matrix.vstack(H, H * A)
-unseen = [list(rows.nullspace()[0])]
-split = sp.Matrix.vstack(rows, sp.Matrix([unseen[0]]))
+unobservable_states = [list(rows.nullspace()[0])]
+split = sp.Matrix.vstack(rows, sp.Matrix([unobservable_states[0]]))
 split_system = [split * A * split.inv(), sp.Matrix([[1, 0, 0]])]
 last, first = split_system[0][1, 0], split_system[0][1, 1]  # hA^2 = first hA + last h
 canonical = [sp.Matrix([[first, 1], [last, 0]]), sp.Matrix([[1, 0]])]

@@ -1,9 +1,9 @@
 # %% wrong
 a_observable = True  # Is the coupled motion in the plane the whole motion? (hint 1)
 # Is there another unobservable motion besides the oscillation across the plane? (hint 2)
-a_unseen = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
+a_unobservable_states = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
 # Does the velocity turn with a satellite that is shifted along the orbit? (hint 1)
-a_unseen = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
+a_unobservable_states = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
 # Is the motion in the plane observable as a whole? (hint 1)
 a_split = sp.Matrix(
     [
@@ -27,9 +27,9 @@ a_split = sp.Matrix(
     ]
 )
 b_observable = True  # Do all six variables act on each other? (hint 1)
-b_unseen = []  # Are the coupled variables the whole state? (hint 1)
+b_unobservable_states = []  # Are the coupled variables the whole state? (hint 1)
 # Would this shift be unobservable from the height? What does $z_2$ measure? (hint 1)
-b_unseen = [[1, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
+b_unobservable_states = [[1, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
 # Which coordinates must come first? (hint 1)
 b_split = sp.Matrix(
     [
@@ -81,7 +81,7 @@ d_first = "distance across the plane of the orbit"
 d_second = "height"  # In which direction does the first axis point? (hint 1)
 e_observable = True  # Does the printed coefficient make the system observable? (hint 1)
 # Are these the unobservable states of the corrected system? The printed one has others. (hint 1)
-e_unseen = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
+e_unobservable_states = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
 e_split = sp.eye(6)  # Can the variables be left as they are, as in item b? (hint 1)
 # Are these the eigenvalues of the satellite? The printed system is different. (hint 1)
 e_eigenvalues = [[0, 2, 1], [sp.I, 2, 2], [-sp.I, 2, 2]]
@@ -90,13 +90,15 @@ e_eigenvalues = [[0, 2, 1], [sp.I, 1, 1], [-sp.I, 1, 1], [2 * sp.I, 1, 1], [-2 *
 
 # %% right
 # other combinations, as columns
-a_unseen = [
+a_unobservable_states = [
     sp.Matrix([0, 1, 0, 0, 1, 0]),
     sp.Matrix([0, 1, 0, 0, -1, 0]),
     sp.Matrix([-2, 5, 0, 0, 0, 2]),
 ]
 # a matrix with a column for each
-a_unseen = sp.Matrix([[3, 0, 0], [0, 1, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1], [-3, 0, 0]])
+a_unobservable_states = sp.Matrix(
+    [[3, 0, 0], [0, 1, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1], [-3, 0, 0]]
+)
 # the derivatives of z1 as they come, then v3 instead of x1
 a_split = [
     [0, 0, 1, 0, 0, 0],
@@ -117,8 +119,8 @@ a_split = sp.Matrix(
         [0, 2, 0, 0, -1, 0],
     ]
 )
-b_unseen = [[0, 0, 0, 0, 1, 1], [0, 0, 0, 0, 1, -1]]  # two other combinations
-b_unseen = [[0.0, 0.0, 0.0, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 2.0]]  # floats
+b_unobservable_states = [[0, 0, 0, 0, 1, 1], [0, 0, 0, 0, 1, -1]]  # two other combinations
+b_unobservable_states = [[0.0, 0.0, 0.0, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 2.0]]  # floats
 # the derivatives of z2 for the observable part
 b_split = sp.Matrix(
     [
@@ -180,8 +182,12 @@ c_similarity = [
     [0, 0, 0, 0, -2.5, 0],
 ]
 # another sign and order
-e_unseen = [[0, 0, 0, 0, 0, 1], [0, 2, -2, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
-e_unseen = [[0, -1, 1, 0, 1, 0], [0, -1, 1, 0, -1, 0], [0, 0, 0, 0, 3, 1]]  # other combinations
+e_unobservable_states = [[0, 0, 0, 0, 0, 1], [0, 2, -2, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
+e_unobservable_states = [
+    [0, -1, 1, 0, 1, 0],
+    [0, -1, 1, 0, -1, 0],
+    [0, 0, 0, 0, 3, 1],
+]  # other combinations
 # the derivatives of z2, then the constant y2 - y3
 e_split = [
     [1, 0, 0, 0, 0, 0],

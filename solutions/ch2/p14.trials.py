@@ -1,10 +1,10 @@
 # %% wrong
 a_observable = False  # Are two measurements too few for four variables? (hint 1)
 # Is this unobservable only from $z_1$ and its first derivative? (hint 1)
-a_unseen_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]
-a_unseen_z3 = []  # Is the whole state observable from this instrument too? (hint 1)
+a_unobservable_states_z1 = [[0, 1, 1, 0], [0, 0, 0, 1]]
+a_unobservable_states_z3 = []  # Is the whole state observable from this instrument too? (hint 1)
 # Does the velocity turn with a satellite that is shifted along the orbit? (hint 2)
-a_unseen_z3 = [[1, 0, 0, 0]]
+a_unobservable_states_z3 = [[1, 0, 0, 0]]
 # Are these just the measurement and its derivatives? (hint 2)
 b_part = sp.Matrix([[1, 0, 0, 0], [0, -1, 1, 0], [-2, 0, 0, -2], [0, -2, -4, 0]])
 # Does a coefficient of the polynomial have the wrong sign? (hint 1)
@@ -37,9 +37,9 @@ e_z3 = "distance along the orbit"  # In which direction does the third axis poin
 e_z3 = "vertical speed"  # Is this the derivative of the measured quantity? (hint 2)
 
 # %% right
-a_unseen_z1 = sp.zeros(4, 0)  # a matrix without columns
-a_unseen_z3 = [[-2, 0, 0, 2]]  # another length
-a_unseen_z3 = [sp.Matrix([0.5, 0.0, 0.0, -0.5])]  # a column, with floats
+a_unobservable_states_z1 = sp.zeros(4, 0)  # a matrix without columns
+a_unobservable_states_z3 = [[-2, 0, 0, 2]]  # another length
+a_unobservable_states_z3 = [sp.Matrix([0.5, 0.0, 0.0, -0.5])]  # a column, with floats
 # z3 and its derivatives as they come, then z1 in another unit
 b_reversed = sp.Matrix([[0, 1, 0, 0], [1, 0, 0, 1], [0, 1, 2, 0], [-5, 0, 0, 0]])
 # the part of z3 in the canonical form (2.5)

@@ -6,10 +6,12 @@ a_change = sp.Matrix([[1, 0, -1, 0], [0, 0, 0, 1], [1, 0, 1, 0], [0, 1, 0, 0]])
 # Does this lead from y to x, instead of from x to y?
 a_change = sp.Matrix([[1, 0, 1, 0], [0, 2, 0, 0], [1, 0, -1, 0], [0, 0, 0, 2]]) * sp.Rational(1, 2)
 b_observable = False  # If neither instrument is enough, can both together not be enough? (hint 2)
-b_unseen_z1 = [[1, 0, 1, 0]]  # Is this the eigenvector that is observable from $z_1$? (hint 1)
-b_unseen_z1 = []  # Are both chains observable because both exponentials occur in $z_1$? (hint 1)
+b_unobservable_states_z1 = [
+    [1, 0, 1, 0]
+]  # Is this the eigenvector that is observable from $z_1$? (hint 1)
+b_unobservable_states_z1 = []  # Are both chains observable because both exponentials occur in $z_1$? (hint 1)
 # Are these the states with $z_2 = 0$ at a single instant only? (hint 1)
-b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]
+b_unobservable_states_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]
 # Does $z_2$ depend on this last coordinate alone? (hint 2)
 c_sequential = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]])
 # Must the two parts be of equal size in this order? (hint 1)
@@ -30,10 +32,10 @@ d_parallel = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]]
 a_change = [[2, 3, 2, 0], [0, 2, 0, 0], [-1, 0, 1, 1], [0, 0, 0, -1]]
 # floats
 a_change = sp.Matrix([[0.5, 0, 0.5, 0], [0, 0.5, 0, 0], [0.25, 0, -0.25, 0], [0, 0, 0, 0.25]])
-b_unseen_z1 = [[-3, 0, 3, 0]]  # another length and sign
-b_unseen_z1 = [sp.Matrix([half, 0, -half, 0])]  # a column
-b_unseen_z2 = [[0.7, 0.0, 0.7, 0.0]]  # floats
-b_unseen_z2 = sp.Matrix([-1, 0, -1, 0])  # a matrix with one column
+b_unobservable_states_z1 = [[-3, 0, 3, 0]]  # another length and sign
+b_unobservable_states_z1 = [sp.Matrix([half, 0, -half, 0])]  # a column
+b_unobservable_states_z2 = [[0.7, 0.0, 0.7, 0.0]]  # floats
+b_unobservable_states_z2 = sp.Matrix([-1, 0, -1, 0])  # a matrix with one column
 # z1 and its derivatives, then z2
 c_sequential = sp.Matrix([[1, 0, 1, 1], [1, 1, 1, 2], [1, 2, 1, 4], [1, 1, -1, 0]])
 # the first part mixed, the second in another unit, floats

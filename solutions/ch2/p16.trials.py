@@ -7,8 +7,8 @@ a_augmented = [sp.diag(A_a, 0), sp.Matrix([[1, 0, 0]])]
 a_augmented = [sp.diag(A_a, 1), sp.Matrix([[1, 0, 1]])]
 a_observable = True  # Is everything found once $x_1$ and the error are? (hint 1)
 # Can two constants be confused if only one of them is measured? (hint 1)
-a_unseen = [[0, 1, -1]]
-a_unseen = [[0, 1, 0], [0, 0, 1]]  # Is the error really unobservable too? (hint 1)
+a_unobservable_states = [[0, 1, -1]]
+a_unobservable_states = [[0, 1, 0], [0, 0, 1]]  # Is the error really unobservable too? (hint 1)
 a_amplitude = z  # Is this the error only in the limit, when $x_1$ has decayed? (hint 1)
 a_amplitude = z - z1 / rate_a  # What is the sign of the rate at which $x_1$ decays? (hint 1)
 # Is the error constant here? (hint 1)
@@ -27,15 +27,15 @@ c_augmented = [sp.diag(A_c, alpha), sp.Matrix([[1, 1, 0]])]
 # Is only a decaying error harmless? Check instead whether it has the form of a motion. (hint 2)
 c_region = alpha < 0
 # How many independent motions does the system have? (hint 2)
-c_region = sp.Ne(alpha, max(c_unseen))
+c_region = sp.Ne(alpha, max(c_unobservable_states))
 # What is the sign of the eigenvalues of the system? (hint 2)
-c_region = sp.And(*(sp.Ne(alpha, -value) for value in c_unseen))
+c_region = sp.And(*(sp.Ne(alpha, -value) for value in c_unobservable_states))
 # Does the error have the same size in both cases? Compute z for each eigenvector. (hint 2)
-c_unseen = {value: [[value, 1, 1]] for value in c_unseen}
+c_unobservable_states = {value: [[value, 1, 1]] for value in c_unobservable_states}
 # Do motion and error cancel here, or add up? (hint 1)
-c_unseen = {value: [[value, 1, value]] for value in c_unseen}
+c_unobservable_states = {value: [[value, 1, value]] for value in c_unobservable_states}
 # Is the error unobservable alone, or together with a motion? (hint 1)
-c_unseen = {value: [[0, 0, 1]] for value in c_unseen}
+c_unobservable_states = {value: [[0, 0, 1]] for value in c_unobservable_states}
 # Is one coordinate enough for a sine? (hint 1)
 d_augmented = [sp.diag(A_d, omega), sp.Matrix([[1, 0, 1]])]
 # Do these two equations give a sine, or exponentials? (hint 2)
@@ -52,20 +52,20 @@ d_state = sp.true  # Does the known phase also make the state observable at reso
 d_amplitude = sp.Ne(omega**2, stiffness_d)
 # Do both resonances have the same sign? (hint 1)
 k = sp.sqrt(stiffness_d)
-d_unseen = {0: [[0, 0, 1]], k: [[0, k, -1]], -k: [[0, k, -1]]}
+d_unobservable_states = {0: [[0, 0, 1]], k: [[0, k, -1]], -k: [[0, k, -1]]}
 # Is the phase of the error unknown? (hint 2)
 k = sp.sqrt(stiffness_d)
-d_unseen = {0: [[0, 0, 1]], k: [[0, k, -1], [1, 0, 0]], -k: [[0, k, 1], [1, 0, 0]]}
+d_unobservable_states = {0: [[0, 0, 1]], k: [[0, k, -1], [1, 0, 0]], -k: [[0, k, 1], [1, 0, 0]]}
 # Was one exceptional value forgotten? (hint 1)
 k = sp.sqrt(stiffness_d)
-d_unseen = {k: [[0, k, -1]], -k: [[0, k, 1]]}
+d_unobservable_states = {k: [[0, k, -1]], -k: [[0, k, 1]]}
 
 # %% right
 # twice C for the coordinate
 a_augmented = [sp.diag(A_a, 0), sp.Matrix([[1, 0, sp.Rational(1, 2)]])]
 a_augmented = [sp.diag(A_a, 0).tolist(), [1, 0, 1]]  # nested lists, the row flat
-a_unseen = [sp.Matrix([0, -3, 0])]  # another multiple, as a column
-a_unseen = [0.0, 1.0, 0.0]  # floats, without the outer list
+a_unobservable_states = [sp.Matrix([0, -3, 0])]  # another multiple, as a column
+a_unobservable_states = [0.0, 1.0, 0.0]  # floats, without the outer list
 # the error with the opposite sign
 b_augmented = [sp.diag(A_b, growth_b), sp.Matrix([[0, 1, -1]])]
 # written with hyperbolic functions
@@ -74,12 +74,16 @@ b_amplitude = decay * (stiffness_b * z + z2) / (growth_b**2 + stiffness_b)
 c_augmented = [sp.diag(A_c, alpha), sp.Matrix([[1, 0, 2]])]  # half the error
 c_region = sp.Ne(alpha**2 + coefficients_c[0] * alpha + coefficients_c[1], 0)  # the polynomial
 # intervals
-lower, upper = sorted(c_unseen)
+lower, upper = sorted(c_unobservable_states)
 c_region = sp.Or(alpha < lower, sp.And(alpha > lower, alpha < upper), alpha > upper)
 # other multiples and order
-c_unseen = {value: [[3 * value, 3, -3 * value]] for value in sorted(c_unseen)}
+c_unobservable_states = {
+    value: [[3 * value, 3, -3 * value]] for value in sorted(c_unobservable_states)
+}
 # floats and columns
-c_unseen = {float(value): [sp.Matrix([1, 1 / value, -1])] for value in c_unseen}
+c_unobservable_states = {
+    float(value): [sp.Matrix([1, 1 / value, -1])] for value in c_unobservable_states
+}
 # the error and its rate
 d_augmented = [sp.diag(A_d, sp.Matrix([[0, 1], [-(omega**2), 0]])), sp.Matrix([[1, 0, 1, 0]])]
 # cosine and sine interchanged, nested lists
@@ -95,19 +99,19 @@ exceptions = sp.FiniteSet(0, sp.sqrt(stiffness_d), -sp.sqrt(stiffness_d))
 d_amplitude = sp.Complement(sp.S.Reals, exceptions).as_relational(omega)
 # other multiples and order
 k = sp.sqrt(stiffness_d)
-d_unseen = {-k: [[0, -2 * k, -2]], k: [[0, -k, 1]], 0: [[0, 0, 7]]}
+d_unobservable_states = {-k: [[0, -2 * k, -2]], k: [[0, -k, 1]], 0: [[0, 0, 7]]}
 # floats, without the outer lists
 k = float(sp.sqrt(stiffness_d))
-d_unseen = {0.0: [0, 0, 1.0], k: [0, k / 2, -0.5], -k: [0, k / 2, 0.5]}
+d_unobservable_states = {0.0: [0, 0, 1.0], k: [0, k / 2, -0.5], -k: [0, k / 2, 0.5]}
 
 # %% numbers
 rate_a, growth_b, stiffness_b, coefficients_c, stiffness_d = [
     (rate, growth, stiffness, [p + q, p * q], k**2)
     for rate, growth, stiffness, p, q, k in [
-        *[(1, 1, 1, 1, 2, 1), (2, 1, 4, 1, 3, 2), (3, 2, 1, 2, 3, 3), (4, 1, 2, 1, 4, 2)],
-        *[(5, 2, 3, 2, 5, 4), (2, 3, 1, 3, 4, 3), (3, 1, 3, 1, 5, 5), (4, 2, 2, 2, 4, 2)],
-        *[(5, 3, 2, 3, 5, 3), (2, 2, 5, 4, 5, 4), (3, 3, 4, 1, 3, 2), (4, 1, 5, 2, 3, 5)],
-        *[(5, 2, 1, 1, 4, 3), (2, 3, 5, 3, 4, 4), (3, 1, 6, 2, 5, 2)],
+        *[(1, 1, 1, 1, 2, 1), (2, 1, 4, 1, 3, 2), (3, 2, 1, 2, 3, 3), (1, 2, 1, 2, 6, 7)],
+        *[(5, 2, 3, 2, 5, 4), (3, 3, 2, 3, 4, 6), (3, 1, 3, 1, 5, 5), (1, 4, 1, 4, 5, 9)],
+        *[(2, 4, 3, 3, 6, 8), (4, 1, 2, 1, 4, 14), (4, 1, 7, 3, 5, 10), (6, 2, 1, 2, 4, 13)],
+        *[(4, 1, 4, 5, 6, 12), (1, 2, 3, 5, 7, 11), (7, 1, 4, 5, 9, 15)],
     ]
 ]
 k = sp.sqrt(stiffness_d)
@@ -124,9 +128,9 @@ a_amplitude = z + z1 / rate_a
 b_augmented = [sp.diag(A_b, growth_b), sp.Matrix([[0, 1, 1]])]
 b_amplitude = (stiffness_b * z + z2) * sp.exp(-growth_b * t) / (growth_b**2 + stiffness_b)
 c_augmented = [sp.diag(A_c, alpha), sp.Matrix([[1, 0, 1]])]
-c_unseen = {value: [[value, 1, -value]] for value in A_c.eigenvals()}
-c_region = sp.And(*(sp.Ne(alpha, value) for value in c_unseen))
+c_unobservable_states = {value: [[value, 1, -value]] for value in A_c.eigenvals()}
+c_region = sp.And(*(sp.Ne(alpha, value) for value in c_unobservable_states))
 d_augmented = [sp.diag(A_d, S_d), sp.Matrix([[1, 0, 1, 0]])]
 d_region = d_amplitude = sp.And(sp.Ne(omega, 0), sp.Ne(omega, k), sp.Ne(omega, -k))
 d_state = sp.And(sp.Ne(omega, k), sp.Ne(omega, -k))
-d_unseen = {0: [[0, 0, 1]], k: [[0, k, -1]], -k: [[0, k, 1]]}
+d_unobservable_states = {0: [[0, 0, 1]], k: [[0, k, -1]], -k: [[0, k, 1]]}

@@ -24,11 +24,13 @@ region = sp.And(sp.Ne(omega, 1), sp.Ne(omega, -1))
 region = sp.Ne(omega, -1)  # Does the oscillator turn this way? (hint 1)
 # Is a moving state unobservable with a fixed instrument? (hint 1)
 region = sp.And(sp.Ne(omega, 0), sp.Ne(omega, 1))
-unseen = {1: [[0, 1]]}  # Is this the observable direction instead of the unobservable one? (hint 1)
-unseen = {}  # Is this the verdict of the frozen test? (hint 2)
-unseen = {1: [[1, 0], [0, 1]]}  # Are both coordinates unobservable? (hint 1)
+unobservable_states = {
+    1: [[0, 1]]
+}  # Is this the observable direction instead of the unobservable one? (hint 1)
+unobservable_states = {}  # Is this the verdict of the frozen test? (hint 2)
+unobservable_states = {1: [[1, 0], [0, 1]]}  # Are both coordinates unobservable? (hint 1)
 # Does it matter in which direction the instrument turns? (hint 2)
-unseen = {1: [[1, 0]], -1: [[1, 0]]}
+unobservable_states = {1: [[1, 0]], -1: [[1, 0]]}
 # Was the state kept constant here, so that only the instrument moves? (hint 1)
 s, c = sp.sin(4 * sp.pi * omega), 1 - sp.cos(4 * sp.pi * omega)
 gramian = sp.pi * sp.eye(2) + sp.Matrix([[-s, c], [c, s]]) / (4 * omega)
@@ -52,5 +54,5 @@ mixed = sp.sin(2 * sp.pi * omega) ** 2 / (2 * omega - 2)
 gramian = [[first, mixed], [mixed, 2 * sp.pi - first]]
 region = sp.Or(omega < 1, omega > 1)  # two half-lines
 region = sp.Ne(1 - omega, 0)  # the determinant of the derivative rows
-unseen = {1: [sp.Matrix([-2, 0])]}  # another multiple, as a column
-unseen = {1.0: [0.5, 0.0]}  # floats, without the outer list
+unobservable_states = {1: [sp.Matrix([-2, 0])]}  # another multiple, as a column
+unobservable_states = {1.0: [0.5, 0.0]}  # floats, without the outer list

@@ -8,10 +8,10 @@ b_region = sp.Ne(beta, -1)  # Is a combination controllable because it decays by
 # Must the determinant be positive, or only different from zero? (hint 2)
 b_region = sp.Or(beta > 1, beta < -1)
 # Are these the directions in which the control acts? (hint 1)
-b_lost = {1: [[1, 1]], -1: [[-1, 1]]}
-b_lost = {-1: [[1, 1]]}  # Is only the growing combination uncontrollable? (hint 1)
+b_uncontrollable_rows = {1: [[1, 1]], -1: [[-1, 1]]}
+b_uncontrollable_rows = {-1: [[1, 1]]}  # Is only the growing combination uncontrollable? (hint 1)
 # Is something uncontrollable if the control does not change it at once? (hint 1)
-b_lost = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
+b_uncontrollable_rows = {1: [[-1, 1]], -1: [[1, 1]], 0: [[1, 0]]}
 
 # %% right
 # column beside column, as floats
@@ -20,6 +20,6 @@ import numpy as np
 a_kalman = np.column_stack([[0.0, 1.0], [1.0, 0.0]])
 b_region = sp.Ne(sp.Symbol("beta") ** 2 - 1, 0)  # the determinant, with a plain symbol
 b_region = sp.Or(beta < -1, sp.And(-1 < beta, beta < 1), beta > 1)  # three intervals
-b_lost = {-1: [(0.5, 0.5)], 1: [(1, -1)]}  # other lengths and signs, tuples
+b_uncontrollable_rows = {-1: [(0.5, 0.5)], 1: [(1, -1)]}  # other lengths and signs, tuples
 # rows as matrices, decimal keys
-b_lost = {1.0: sp.Matrix([[3, -3]]), -1.0: sp.Matrix([[2, 2]])}
+b_uncontrollable_rows = {1.0: sp.Matrix([[3, -3]]), -1.0: sp.Matrix([[2, 2]])}

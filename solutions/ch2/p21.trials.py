@@ -1,15 +1,15 @@
 # %% wrong
-possible = sp.Ne(beta, max(lost))  # Was one of the two roots overlooked? (hint 2)
+possible = sp.Ne(beta, max(uncontrollable_rows))  # Was one of the two roots overlooked? (hint 2)
 # The form does not depend on the parameter. But can the system always be brought to it? (hint 1)
 possible = True
 # Are these the values at which one element of P vanishes? (hint 2)
 possible = sp.And(*(sp.Ne(element, 0) for element in sp.Matrix(basis)[:, 0]))
 # Were the two combinations swapped? (hint 1)
-p, q = lost
-lost = {p: lost[q], q: lost[p]}
+p, q = uncontrollable_rows
+uncontrollable_rows = {p: uncontrollable_rows[q], q: uncontrollable_rows[p]}
 # Are these right eigenvectors where left ones are needed? (hint 2)
-p, q = lost
-lost = {p: [[q, 1]], q: [[p, 1]]}
+p, q = uncontrollable_rows
+uncontrollable_rows = {p: [[q, 1]], q: [[p, 1]]}
 canonical = sp.Matrix(canonical)[::-1, ::-1].T  # Is this the observable canonical form?
 # In which order are the coefficients in the last row? (hint 1)
 canonical = sp.Matrix([[0, 1], [A.trace(), -A.det()]])
@@ -28,15 +28,19 @@ equation = sp.Eq(
 # Did the signs of the terms change when they were moved to the left? (hint 1)
 equation = sp.Eq(y.diff(t, 2) + A.trace() * y.diff(t) - A.det() * y, u)
 # Is this the equation of a single mode? (hint 1)
-equation = sp.Eq(y.diff(t) - min(A.eigenvals()) * y, (beta - max(lost)) * u)
+equation = sp.Eq(y.diff(t) - min(A.eigenvals()) * y, (beta - max(uncontrollable_rows)) * u)
 
 # %% right
 possible = sp.Ne(sp.expand(sp.Matrix.hstack(b, A * b).det()), 0)  # the determinant
 # three intervals
-p, q = sorted(map(float, lost))
+p, q = sorted(map(float, uncontrollable_rows))
 possible = sp.Union(sp.Interval.open(-sp.oo, p), sp.Interval.open(p, q), sp.Interval.open(q, sp.oo))
-lost = {float(p): [[-3, 3 * p]] for p in lost}  # decimals as the values, other lengths
-lost = {p: [sp.Matrix([[-2, 2 * p]])] for p in lost}  # rows as matrices
+uncontrollable_rows = {
+    float(p): [[-3, 3 * p]] for p in uncontrollable_rows
+}  # decimals as the values, other lengths
+uncontrollable_rows = {
+    p: [sp.Matrix([[-2, 2 * p]])] for p in uncontrollable_rows
+}  # rows as matrices
 # an array
 import numpy as np
 
@@ -71,23 +75,23 @@ A = [
         (2, 1, -2, -3),
         (3, 2, -1, -2),
         (1, -2, -1, -4),
-        (2, 3, -4, -2),
+        (1, 4, -1, -7),
         (-1, -2, -2, -5),
         (2, -2, -1, -5),
         (-1, 0, -3, -4),
-        (3, 1, -1, -3),
-        (1, 2, -3, -5),
+        (4, -1, -1, -6),
+        (-3, -2, -2, -7),
         (-1, -3, -2, -4),
-        (2, sp.Rational(1, 2), -1, -4),
+        (2, -1, -4, -7),
         (1, 3, -2, -6),
-        (-2, -3, -1, -3),
+        (-1, 3, -3, -7),
     ]
 ]
 sides = [linear_form([*A.row(k), b[k]], ["x_1", "x_2", "u"]) for k in range(2)]
 shown = [r"\dot x_1 = «sides[0]», \qquad \dot x_2 = «sides[1]»"]
 values = [vectors[0][0] / vectors[0][1] for _, _, vectors in A.eigenvects()]
 possible = sp.And(*(sp.Ne(beta, value) for value in values))
-lost = {value: [[1, -value]] for value in values}
+uncontrollable_rows = {value: [[1, -value]] for value in values}
 canonical = sp.Matrix([[0, 1], [-A.det(), A.trace()]])
 basis = sp.Matrix.hstack(A * b - A.trace() * b, b)
 c = sp.Matrix([[1, -beta]])

@@ -5,9 +5,9 @@ a_roots = sp.solve(5 * sp.Symbol("q") ** 4 + 11 * sp.Symbol("q") ** 2 + 5)
 a_roots = [(-3 + sp.sqrt(149)) / 10, (-3 - sp.sqrt(149)) / 10]
 # Are complex roots asked for as well?
 a_roots = [sp.sqrt((sp.sqrt(149) - 3) / 10), -sp.sqrt((sp.sqrt(149) - 3) / 10)]
-a_lost = [1, -1]  # Are these numbers roots of the system at all? (hint 2)
+a_uncontrollable_eigenvalues = [1, -1]  # Are these numbers roots of the system at all? (hint 2)
 # Is a mode uncontrollable because it grows? (hint 2)
-a_lost = [sp.sqrt((sp.sqrt(149) - 3) / 10)]
+a_uncontrollable_eigenvalues = [sp.sqrt((sp.sqrt(149) - 3) / 10)]
 a_controllable = False  # Is one force not enough for two coordinates? (hint 1)
 # Were the terms of first order left out? (hint 1)
 b_roots = sp.solve(sp.Symbol("q") ** 4 + sp.Symbol("q") ** 2 - 5)
@@ -18,8 +18,10 @@ b_roots = np.roots([1, -2, -4, 0, -5])
 # Does a negative value of the square of s really give no root? (hint 2)
 b_roots = [sp.sqrt(sp.sqrt(14) - 3), -sp.sqrt(sp.sqrt(14) - 3)]
 # Must the difference of the two components vanish, or each of them? (hint 2)
-b_lost = [-1]
-b_lost = [sp.sqrt(sp.sqrt(14) - 3)]  # Do gyroscopic terms distinguish s and -s here? (hint 1)
+b_uncontrollable_eigenvalues = [-1]
+b_uncontrollable_eigenvalues = [
+    sp.sqrt(sp.sqrt(14) - 3)
+]  # Do gyroscopic terms distinguish s and -s here? (hint 1)
 b_controllable = False  # Do gyroscopic terms exclude controllability? (hint 1)
 c_controllable = False  # Must the verdict differ from that of item a? Compute it. (hint 1)
 c_region = sp.Ne(k, (13 + sp.sqrt(149)) / 2)  # Was one of the values overlooked? (hint 2)

@@ -4,7 +4,7 @@ controllable = sp.Ne(beta, 0)  # Is it enough that the control enters both equat
 value = next(v for v in uncontrolled if v)
 controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -value))
 # Does the output matter for controllability? (hint 1)
-controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha, *unseen))
+controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha, *unobservable_states))
 # Does a constant numerator mean that the system is uncontrollable? (hint 1)
 controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha * beta, -1))
 # Are these columns, the controllable directions, instead of rows? (hint 1)
@@ -16,15 +16,17 @@ uncontrolled = {p: uncontrolled[q], q: uncontrolled[p]}
 observable = sp.Ne(alpha, 0)  # Must both coordinates appear in z? (hint 1)
 # Is it enough that $x_2$ acts on $x_1$? Think of the motions for which $z$ vanishes. (hint 2)
 observable = sp.true
-value = next(iter(unseen))
+value = next(iter(unobservable_states))
 observable = sp.Ne(alpha, -value)  # Was a sign lost in the row h A? (hint 2)
 # Does the control matter for observability? (hint 2)
-observable = sp.And(sp.Ne(alpha, *unseen), sp.Ne(beta, 0))
+observable = sp.And(sp.Ne(alpha, *unobservable_states), sp.Ne(beta, 0))
 # Is this the row of the output instead of an unobservable state? (hint 1)
-unseen = {value: [[1, value]] for value in unseen}
+unobservable_states = {value: [[1, value]] for value in unobservable_states}
 # Is this the eigenvector of the other eigenvalue? (hint 1)
-unseen = {value: [[1, 0]] for value in unseen}
-unseen = {0: [[0, 1]]}  # Is a coordinate unobservable whenever it is not measured? (hint 1)
+unobservable_states = {value: [[1, 0]] for value in unobservable_states}
+unobservable_states = {
+    0: [[0, 1]]
+}  # Is a coordinate unobservable whenever it is not measured? (hint 1)
 # Was the derivative of the control forgotten? (hint 1)
 left, right = equation.args
 equation = sp.Eq(left, right.subs(u.diff(t), 0))
@@ -46,13 +48,15 @@ controllable = sp.Or(v < p, sp.And(v > p, v < q), v > q)
 uncontrolled = {v: -2 * sp.Matrix(rows[0]) for v, rows in uncontrolled.items()}
 # decimals
 uncontrolled = {float(v): [[float(w) / 4 for w in rows[0]]] for v, rows in uncontrolled.items()}
-value = next(iter(unseen))
+value = next(iter(unobservable_states))
 observable = sp.Or(alpha < value, alpha > value)  # two half-planes
 # the determinant, with a plain symbol
 observable = sp.Ne(sp.Matrix([H, H * A]).det().subs(alpha, sp.Symbol("alpha")), 0)
-unseen = {v: [[-3 * x for x in rows[0]]] for v, rows in unseen.items()}  # another length and sign
+unobservable_states = {
+    v: [[-3 * x for x in rows[0]]] for v, rows in unobservable_states.items()
+}  # another length and sign
 # a decimal key and a column
-unseen = {float(v): sp.Matrix(rows[0]) / 2 for v, rows in unseen.items()}
+unobservable_states = {float(v): sp.Matrix(rows[0]) / 2 for v, rows in unobservable_states.items()}
 # solved for the second derivative, plain symbols
 left, right = equation.args
 second = right - left + z.diff(t, 2)
@@ -72,15 +76,15 @@ A = [
         (-1, -1, -2),
         (-1, 2, -3),
         (-3, 1, -1),
-        (-1, 3, -4),
+        (-4, -1, -1),
         (-2, -1, -5),
         (-4, 2, -1),
         (-3, -2, -4),
-        (-1, -2, -4),
-        (-5, 1, -2),
-        (-2, 3, -5),
-        (-2, -2, -3),
-        (-4, 1, -2),
+        (-2, 3, -1),
+        (-3, -1, -1),
+        (-2, -3, -1),
+        (-1, -1, -5),
+        (-1, 1, -5),
         (-5, -2, -4),
         (-3, 3, -1),
     ]
@@ -91,7 +95,7 @@ p, c, q = A[0, 0], A[0, 1], A[1, 1]
 controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, (q - p) / c))
 uncontrolled = {0: [[0, 1]], (q - p) / c: [[p - q, c]]}
 observable = sp.Ne(alpha, c / (p - q))
-unseen = {c / (p - q): [[c, q - p]]}
+unobservable_states = {c / (p - q): [[c, q - p]]}
 equation = sp.Eq(
     z.diff(t, 2) - (p + q) * z.diff(t) + p * q * z,
     (1 + alpha * beta) * u.diff(t) + (c * beta - q - p * alpha * beta) * u,

@@ -14,9 +14,13 @@ b_uncontrolled = []  # Is there no first integral? Look for an equation to integ
 # Is the position along the orbit uncontrollable as well? (hint 1)
 b_uncontrolled = [[0, omega, 1, 0], [1, 0, 0, 0]]
 # Is the oscillation uncontrollable, or does the thruster act on it? (hint 1)
-b_lost = [sp.I * omega, -sp.I * omega]
-b_lost = [0, sp.I * omega, -sp.I * omega]  # Are all eigenvalues uncontrollable? (hint 1)
-b_lost = []  # Is every eigenvalue controllable, though a combination is constant? (hint 1)
+b_uncontrollable_eigenvalues = [sp.I * omega, -sp.I * omega]
+b_uncontrollable_eigenvalues = [
+    0,
+    sp.I * omega,
+    -sp.I * omega,
+]  # Are all eigenvalues uncontrollable? (hint 1)
+b_uncontrollable_eigenvalues = []  # Is every eigenvalue controllable, though a combination is constant? (hint 1)
 # Does this lead from x to the new coordinates, instead of from them to x?
 b_split = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 0], [omega, 0, 0, 1], [0, omega, 1, 0]])
 b_split = sp.eye(4)[:, [0, 1, 3, 2]]  # Is $v_1$ the constant? Remember the rotating frame. (hint 2)
@@ -38,7 +42,7 @@ b_split_system = [A, outward]  # Is this the original system? (hint 1)
 a_matrix = a_matrix.subs(omega, sp.Symbol("omega")) * 1  # with a plain symbol
 b_uncontrolled = [[0, 1, 1 / omega, 0]]  # divided by omega
 b_uncontrolled = [[0, -(omega**2), -omega, 0]]  # another length and sign
-b_lost = [omega - omega]  # a zero that is computed
+b_uncontrollable_eigenvalues = [omega - omega]  # a zero that is computed
 # b, Ab, AAb and the axis of v1
 b_split = sp.Matrix.hstack(outward, A * outward, A**2 * outward, sp.Matrix([0, 0, 1, 0]))
 # other coordinates in both parts

@@ -5,7 +5,8 @@ a_gain = sp.Matrix([beta1, beta2 - 1])
 # Is this the sign of a feedback $u = Kx$? The correction $L(z - He)$ enters the errors with a
 # minus. (hint 1)
 a_gain = sp.Matrix([-beta1, -beta2 - 1])
-a_margins = mu <= 1  # Does the margin end at the rate of the system's own motion? (hint 1)
+# Does the degree of stability end at the rate of the system's own motion? (hint 1)
+a_margins = mu <= 1
 # Is this the gain of item a? Another coordinate is measured here. (hint 1)
 b_gain = sp.Matrix([beta1, beta2 + 1])
 b_margins = sp.false  # Is the position not observable from a speed in this system? (hint 1)
@@ -15,7 +16,7 @@ c_gain = sp.Matrix([beta1, beta2 + 1])
 c_gain = sp.Matrix([beta1 / 2, beta1 / 2])
 c_margins = sp.true  # Is there a root that no gain moves? (hint 1)
 c_margins = sp.false  # Does every unobservable motion rule out an observer? (hint 2)
-c_margins = mu < 1  # Is the rate of the fixed root itself not a margin? (hint 2)
+c_margins = mu < 1  # Is the rate of the fixed root itself not a degree of stability? (hint 2)
 # Must both gains be large, or only the combination in the moving root? (hint 1)
 c_region = sp.And(l1 > 1, l2 > 1)
 c_region = l1 + l2 > 0  # Is it enough to look at the sum of the roots? (hint 1)
@@ -47,7 +48,7 @@ i_obstacle = {}  # Is it enough that both coordinates enter the measurement? (hi
 
 # %% right
 a_gain = [beta1, 1 + beta2]  # a flat list
-a_margins = mu > 0  # the same as every margin
+a_margins = mu > 0  # the same as every degree of stability
 c_margins = 1 / mu >= 1  # divided by mu
 c_region = sp.Not(l1 <= 1 - l2)  # the complement
 # a sum, as a row

@@ -13,7 +13,7 @@ b_margins = sp.false  # Is the position not observable from a rate in this syste
 # Were all three coefficients compared, or only two? (hint 1)
 c_gain = sp.Matrix([beta1 + 2, beta2, beta1 + 2])
 c_margins = sp.true  # Does the condition cover the fixed root as well? (hint 1)
-c_margins = mu <= 1  # Is zero a margin? (hint 1)
+c_margins = mu <= 1  # Is zero a degree of stability? (hint 1)
 c_obstacle = {}  # Is a constant error no obstacle? (hint 1)
 c_obstacle = {0: [1, -1, 0]}  # Is this state unobservable? Put it into z. (hint 1)
 c_obstacle = {2: [2, 1, 1]}  # Is this the growing motion, and is it unobservable? (hint 1)
@@ -34,7 +34,7 @@ f_obstacle = {}  # Does a coordinate become known because a measured quantity dr
 
 # %% right
 a_gain = [beta1, beta2 + 2, beta3 + beta1 - beta2]  # a flat list
-a_margins = mu**2 > 0  # the same as every margin
+a_margins = mu**2 > 0  # the same as every degree of stability
 # over two, as a row
 b_gain = sp.Matrix([[beta3 + 2, 2 * beta1, 2 * beta2 - 2 * beta1 - beta3 + 2]]) / 2
 c_margins = mu < 0  # never, since mu is positive

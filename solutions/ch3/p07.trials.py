@@ -6,7 +6,8 @@ printed_obstacle = {-margin: [1, -margin, margin**2]}
 # Is the fastest motion the unobservable one? (hint 1)
 fast = max(A.eigenvals())
 printed_obstacle = {fast: [1, fast, fast**2]}
-margins = mu < margin  # Is a margin reached where a root lies just on its border? (hint 1)
+# Is a degree of stability reached where a root lies just on its border? (hint 1)
+margins = mu < margin
 margins = sp.true  # Does a hidden mode that decays impose no limit? (hint 1)
 margins = sp.false  # Does every unobservable motion rule out an observer? (hint 1)
 gain = sp.Matrix([0, 0, 0])  # Do the errors decay without a correction? (hint 1)
@@ -48,29 +49,44 @@ coefficients, printed, weights, margin = [
     row(*parts)
     for parts in [
         (1, 3, 1, 2),
-        (2, 3, 1, 3),
-        (1, 2, 2, 2),
-        (1, 4, 3, 2),
-        (2, 4, 1, 3),
+        (4, 5, 5, 2),
+        (5, 8, 7, 3),
+        (6, 8, 6, 3),
+        (7, 9, 11, 3),
         (3, 4, 2, 2),
-        (1, 5, 2, 3),
+        (8, 10, 4, 3),
         (2, 5, 3, 2),
-        (3, 5, 1, 2),
-        (1, 6, 3, 2),
-        (4, 5, 2, 2),
-        (2, 3, 3, 2),
-        (3, 4, 3, 3),
-        (1, 4, 2, 4),
-        (2, 6, 2, 3),
+        (9, 11, 9, 3),
+        (11, 12, 8, 4),
+        (10, 11, 12, 3),
+        (13, 14, 14, 2),
+        (14, 15, 10, 2),
+        (12, 14, 13, 2),
     ]
+]
+numerals = [
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "thirteen",
+    "fourteen",
 ]
 shown = [
     r"\dddot x «+coefficients[2]*»\ddot x «+coefficients[1]*»\dot x «+coefficients[0]*»x = 0 .",
-    "stability margin «'one two three'.split()[margin - 1]»",
+    "degree of stability «numerals[margin - 1]»",
     r"$\lambda_0 = «margin»$",
     r"$z = «printed[1]*»\dot x «+printed[0]*»x$",
     r"$z = «weights[1]*»\dot x «+weights[0]*»x$",
-    r"the margin «margin»;",
+    r"the degree of stability «margin»;",
     r"(\lambda + «margin»)(\lambda^2 + \beta_1\lambda + \beta_2)",
     r"(\lambda + «margin»)(\lambda^2 + \beta_1 \lambda + \beta_2)",
     r"$y = \dot x + «margin*»x$",

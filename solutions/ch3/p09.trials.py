@@ -31,10 +31,11 @@ d_gain = []  # Do the uncontrollable roots have to be moved? (hint 1)
 d_region = (k1 < 0) & (k2 < 0)  # Do both gains appear in the characteristic polynomial? (hint 2)
 # Does the control enter the same equation as in the previous system? (hint 1)
 d_region = (k1 < 0) & (k2 < 1)
-d_region = k1 < -1  # Is this the condition for a margin, and not for stability? (hint 1)
+# Is this the condition for a degree of stability, and not for stability? (hint 1)
+d_region = k1 < -1
 # The gain moves one eigenvalue as far as one likes. And the other one? (hint 1)
 d_margins = sp.true
-d_margins = mu < 1  # Does the definition of a margin exclude equality? (hint 2)
+d_margins = mu < 1  # Does the definition of a degree of stability exclude equality? (hint 2)
 d_margins = sp.false  # How fast does the uncontrollable part decay? (hint 1)
 
 # %% right

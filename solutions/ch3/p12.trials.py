@@ -28,7 +28,7 @@ margins = sp.true
 margins = sp.Ne(epsilon, 0)  # How fast does the fixed mode decay? (hint 1)
 # Does the limit of one value of the parameter hold for the others? (hint 2)
 margins = mu <= decay
-# Does the definition of a margin exclude equality? (hint 2)
+# Does the definition of a degree of stability exclude equality? (hint 2)
 margins = sp.Ne(epsilon, 0) | (mu < decay)
 
 # %% right

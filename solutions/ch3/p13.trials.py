@@ -1,10 +1,10 @@
 # %% wrong
-lost = {}  # The control enters both equations. What of their difference? (hint 1)
-lost = {1: [[1, 1]]}  # Does the control not enter the sum? (hint 1)
+uncontrollable_rows = {}  # The control enters both equations. What of their difference? (hint 1)
+uncontrollable_rows = {1: [[1, 1]]}  # Does the control not enter the sum? (hint 1)
 # Was a sign of the parameter lost? Write the derivative of the difference down once more. (hint 2)
-lost = {-1: [[1, -1]]}
+uncontrollable_rows = {-1: [[1, -1]]}
 # Does the control act on the second coordinate only through the coupling? (hint 1)
-lost = {0: [[0, 1]]}
+uncontrollable_rows = {0: [[0, 1]]}
 # It is controllable in general. What happens at the exceptional value? (hint 1)
 margins = sp.true
 margins = epsilon < 1  # Is there no gain on the other side? (hint 2)
@@ -32,8 +32,8 @@ region = k1 + k2 < 0  # Can one root be positive while the sum is negative? (hin
 region = (k1 + k2 < 0) & (epsilon * (k2 - 1) > 0)
 
 # %% right
-lost = {1: [[-3, 3]]}  # another multiple
-lost = {1.0: sp.Matrix([1, -1])}  # decimals, a column
+uncontrollable_rows = {1: [[-3, 3]]}  # another multiple
+uncontrollable_rows = {1.0: sp.Matrix([1, -1])}  # decimals, a column
 margins = sp.Or(epsilon < 1, epsilon > 1)  # two sides
 gain = sp.Matrix([[2 * epsilon - 7, 3 - 2 * epsilon]])  # k2 - 1 twice as large
 # with a pole at the exceptional value

@@ -18,13 +18,13 @@ c_gain = sp.Matrix([[-2, 0]])  # Which of the two coordinates grows?
 c_gain = []  # Does the uncontrollable coordinate not decay?
 c_region = (k1 < 1) & (k2 < -1)  # Does the first gain appear in the characteristic polynomial?
 c_region = k2 < 0  # How fast does $x_2$ grow by itself?
-c_region = k2 < -2  # Is the question about the greatest margin?
+c_region = k2 < -2  # Is the question about the greatest degree of stability?
 c_margins = sp.true  # And the other root: does the gain move it, too?
-c_margins = mu < 1  # Does the definition of a margin exclude equality?
+c_margins = mu < 1  # Does the definition of a degree of stability exclude equality?
 c_margins = sp.false  # Which equation does the control enter?
-c_lost = []  # What is the rank of W?
-c_lost = [[0, 1]]  # Which coordinate does the control leave alone?
-c_lost = [[2, -1]]  # Is this a row with $wb = 0$, or an eigenvector of the matrix?
+c_uncontrollable_rows = []  # What is the rank of W?
+c_uncontrollable_rows = [[0, 1]]  # Which coordinate does the control leave alone?
+c_uncontrollable_rows = [[2, -1]]  # Is this a row with $wb = 0$, or an eigenvector of the matrix?
 
 # %% right
 a_gain = [-64, 16, -27]  # three roots -2
@@ -41,4 +41,4 @@ b_prescribed = (-sp.Matrix([[0, 0, 1]]) * W.inv() * psi).applyfunc(sp.cancel)
 c_gain = [7, -1.5]  # any gain of x1
 c_region = (k2 + 1 < 0) & (k1**2 >= 0)  # with a condition that always holds
 c_margins = (mu > 0) & (mu <= 1)  # an interval
-c_lost = [[-3, 0]]  # another multiple
+c_uncontrollable_rows = [[-3, 0]]  # another multiple

@@ -24,7 +24,7 @@ system = [*system[:3], sp.Matrix([[1, weight, 0]])]
 # Were the signs on the left-hand side kept when the terms changed sides?
 system = [sp.Matrix([[0, 1, 0], [0, 0, 1], coefficients]), *system[1:]]
 margins = sp.true  # Was a common factor cancelled? (hint 2)
-# Is this the margin without any feedback?
+# Is this the degree of stability without any feedback?
 margins = mu <= -sp.real_roots(equation.left)[2]
 # Look at the end of your interval: may all roots be as slow as that one?
 margins = mu < weight
@@ -96,8 +96,15 @@ static_region = weight**2 * k < a0  # a multiple
 coefficients, weight = [
     ([p * q * r, p * q + p * r + q * r, p + q + r], r)
     for p, q, r in [
-        *[(1, 2, 3), (1, 2, 4), (1, 3, 5), (1, 3, 4), (2, 3, 5), (1, 2, 6), (2, 3, 4), (1, 4, 5)],
-        *[(1, 3, 6), (1, 2, 5), (2, 3, 6), (2, 4, 5), (1, 4, 6), (1, 2, 7), (3, 4, 5)],
+        *[(1, 2, 3), (1, 2, 4), (1, 3, 5), (1, 3, 8), (1, 2, 10), (1, 2, 6), (1, 2, 11), (1, 2, 9)],
+        *[
+            (1, 2, 13),
+            (1, 2, 12),
+            (1, 2, 16),
+            (1, 4, 15),
+            (1, 3, 14),
+            (1, 2, 7),
+        ],
     ]
 ]
 misprint = (
@@ -109,7 +116,7 @@ shown = [
     r"= \dot u + «weight»u, "
     r"\qquad z = «weight»x + \dot x",
     r"$\dot u + «weight»u$",
-    "Which margin is possible?«'\\n\\n' + misprint if weight == 3 else ''»",
+    "Which degree of stability is possible?«'\\n\\n' + misprint if weight == 3 else ''»",
 ]
 product, total = sp.Rational(a0, weight), a2 - weight  # of the roots that are left
 system = [

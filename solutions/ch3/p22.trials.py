@@ -27,7 +27,7 @@ d_gains = [sp.Matrix([[-2, 2]]), sp.Matrix([0, 9, -4])]
 # Look at the product of the roots of the regulator.
 d_gains = [sp.Matrix([[-2, 4]]), sp.Matrix([9, 0, -4])]
 e_margins = sp.true  # Everything is observable. Is everything controllable?
-e_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
+e_margins = mu < 1  # Look at the degree of stability 1 itself: which root could be slower?
 # Where does this control place the root that can be moved?
 e_gains = [sp.Matrix([[-2, 0]]), sp.Matrix([11, 10, -4])]
 # What is the polynomial of the errors at zero?

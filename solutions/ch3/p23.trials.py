@@ -63,8 +63,16 @@ from workbook.authoring.numbers import linear_form
 weight, acceleration_a, acceleration_b = [
     (slow, [slow * growing_a, growing_a - slow], [slow * growing_b, growing_b - slow])
     for slow, growing_a, growing_b in [
-        *[(1, 1, 2), (2, 1, 3), (3, 2, 4), (4, 1, 3), (2, 3, 4), (3, 1, 2), (4, 2, 3), (2, 1, 4)],
-        *[(3, 1, 4), (4, 1, 2), (5, 2, 4), (3, 2, 5), (5, 1, 3), (2, 2, 5), (4, 3, 5), (5, 1, 4)],
+        *[(1, 1, 2), (2, 1, 3), (3, 2, 4), (4, 1, 3), (6, 1, 3), (8, 1, 2), (7, 1, 2), (10, 2, 3)],
+        *[
+            (11, 1, 3),
+            (9, 2, 3),
+            (5, 2, 4),
+            (13, 1, 2),
+            (14, 1, 2),
+            (12, 1, 2),
+            (15, 1, 4),
+        ],
     ]
 ]
 terms = [r"\ddot\alpha", r"\dot\alpha", r"\alpha"]
@@ -75,7 +83,7 @@ shown = [
 
 
 def answers(A):
-    """The augmented system, the margins, and gains with the roots -1, -1; -2, -2 of all that moves."""
+    """The augmented system, the degrees of stability, and gains with the roots -1, -1; -2, -2 of all that moves."""
     growing = A[1, 1] + weight
     last = -sp.Rational(4, growing)
     gains = [

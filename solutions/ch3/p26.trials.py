@@ -13,7 +13,7 @@ a_observation_split = sp.Matrix([[1, 0, -7], [0, 1, 1], [-1, 0, 10]])
 a_observation_split = sp.Matrix([[0, 4, -sp.Rational(2, 5)], [1, 0, 0], [0, 0, 1]])
 # Add the first and the last equation: can anything change the root of this combination?
 a_margins = sp.true
-a_margins = mu < 1  # Look at the margin 1 itself: which root could be slower?
+a_margins = mu < 1  # Look at the degree of stability 1 itself: which root could be slower?
 # Is the feedback taken with a minus sign, $u = -Ke$?
 a_gains = [sp.Matrix([[5, 17, 0]]), sp.Matrix([5, 3, -5]) / 2]
 # Which number belongs to which coordinate?

@@ -7,9 +7,15 @@ determined = sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2], 0))
 determined = sp.And(sp.Ne(v, 0), sp.Ne(x[1], 0), sp.Ne(x[2], 0))
 # Is the position of a target abeam undetermined?
 determined = sp.And(sp.Ne(v, 0), sp.Ne(x[0], 0), sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2], 0)))
-unseen = []  # How far away is a target dead ahead? (hint 1)
-unseen = [[1, 0, 0], [0, 1, 0]]  # Does a step aside leave the bearing unchanged? (hint 1)
-unseen = [[0, 1, 0], [0, 0, 1]]  # Are these the observable displacements? (hint 1)
+unobservable_displacements = []  # How far away is a target dead ahead? (hint 1)
+unobservable_displacements = [
+    [1, 0, 0],
+    [0, 1, 0],
+]  # Does a step aside leave the bearing unchanged? (hint 1)
+unobservable_displacements = [
+    [0, 1, 0],
+    [0, 0, 1],
+]  # Are these the observable displacements? (hint 1)
 third = []  # Does the third line of sight leave the course? (hint 1)
 third = [[0, 1, 0], [0, 0, 1]]  # Are these the observable displacements? (hint 1)
 # What is its component across the new line of sight? (hint 1)
@@ -24,6 +30,6 @@ moving = [[x[0], x[1], 0, 0, 0, 0]]  # Is the nearer target at rest, too? (hint 
 
 # %% right
 determined = sp.Ne(v**2 * (x[1] ** 2 + x[2] ** 2), 0)  # by the cross product with the velocity
-unseen = [[-(x[0] ** 2) - 1, 0, 0]]  # another multiple
+unobservable_displacements = [[-(x[0] ** 2) - 1, 0, 0]]  # another multiple
 third = [[-3, 0, 0]]  # another multiple
 moving = [[x[0] / v, x[1] / v, 0, -1, 0, 0]]  # another multiple

@@ -1,7 +1,7 @@
 # %% wrong
 observable = True  # Is there a state, not zero, that gives $z = 0$ for ever? (hint 1)
-lost = [1]  # Which coordinate does the measurement show? (hint 1)
-lost = []  # Write the two rows of Kalman's matrix. (hint 1)
+unobservable_eigenvalues = [1]  # Which coordinate does the measurement show? (hint 1)
+unobservable_eigenvalues = []  # Write the two rows of Kalman's matrix. (hint 1)
 recursion = sp.Matrix([[p22, p22], [p22, p22 + Q]])  # Was the measurement used? (hint 1)
 # Is this after the measurement, and not yet before the next one? (hint 1)
 recursion = P - P * sp.Matrix([0, 1]) * sp.Matrix([[0, 1]]) * P / (p22 + R)

@@ -58,20 +58,18 @@ start, bound = [
     (3, 1),
     (5, 2),
     (4, 3),
-    (7, 2),
+    (7, 6),
     (5, 4),
-    (7, 3),
-    (5, 3),
-    (9, 2),
-    (8, 3),
-    (9, 4),
-    (7, 4),
-    (11, 3),
-    (11, 2),
+    (2, sp.Rational(1, 2)),
+    (3, sp.Rational(3, 2)),
+    (3, sp.Rational(5, 2)),
+    (4, sp.Rational(7, 2)),
+    (7, sp.Rational(13, 2)),
+    (6, sp.Rational(11, 2)),
     (6, 5),
 ]
 shown = [r"|u(t)| \leq «bound»,", r"x(0) = «start», \quad"]
-a_control = b_control = sp.Integer(-bound)
+a_control = b_control = sp.sympify(-bound)
 a_trajectory = b_trajectory = (start + bound) * sp.cos(t) - bound
 a_cost = b_cost = -sp.Rational((start + 2 * bound) ** 2, 2)
 a_costate = b_costate = [(start + 2 * bound) * sp.cos(t), -(start + 2 * bound) * sp.sin(t)]

@@ -22,9 +22,9 @@ b_end = [x]  # Is the final state given? (hint 1)
 b_control = v  # Where does the motion end under this control? (hint 1)
 b_control = sp.Piecewise((v, t < 1), (1 - v, True))  # Is the end the best one? (hint 1)
 # Does the trolley not affect the mean motion? (hint 1)
-c_lost = [sp.Matrix([[1, 0, 1, 0]]), sp.Matrix([[0, 1, 0, 1]])]
+c_uncontrollable_rows = [sp.Matrix([[1, 0, 1, 0]]), sp.Matrix([[0, 1, 0, 1]])]
 # Is there only one such combination? Which velocity belongs to it? (hint 1)
-c_lost = [sp.Matrix([[1, 0, -1, 0]])]
+c_uncontrollable_rows = [sp.Matrix([[1, 0, -1, 0]])]
 
 # %% right
 # as equations, combined
@@ -34,4 +34,4 @@ a_values = sp.Or(k < 1, k > 1)  # as two intervals
 b_starts = b**2 <= T**2  # squared
 b_end = sp.Eq(x, -psi0 / 2)  # solved for the state
 b_control = sp.Piecewise((v, t < 1), (-v, True))  # there and back
-c_lost = [sp.Matrix([[1, 1, -1, -1]]), sp.Matrix([[1, -1, -1, 1]])]  # another basis
+c_uncontrollable_rows = [sp.Matrix([[1, 1, -1, -1]]), sp.Matrix([[1, -1, -1, 1]])]  # another basis

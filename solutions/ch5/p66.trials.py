@@ -17,7 +17,8 @@ a_gain = [-2, -2]  # This puts both eigenvalues at -1. What determines the best 
 a_eigenvalues = [1, sp.sqrt(2)]  # Do these motions decay? (hint 1)
 a_eigenvalues = [-1]  # How many eigenvalues does a second-order system have? (hint 1)
 a_eigenvalues = [-1, 1]  # Are these the eigenvalues without control? (hint 1)
-b_seen = False  # What does $x_2$ do if $x_1$ stays where it is, without control? (hint 1)
+# What does $x_2$ do if $x_1$ stays where it is, without control? (hint 1)
+b_motion_observable = False
 b_cost = sp.diag(0, 1)  # Is the integrand itself the cost of the whole motion? (hint 1)
 b_cost = sp.diag(-1, 1)  # Is this solution of the equation indefinite? (hint 2)
 # Can this be a cost? Look at its sign. (hint 2)

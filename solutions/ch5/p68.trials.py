@@ -19,7 +19,7 @@ a_gain = [a_gain[0] - 1, a_gain[1]]
 a_eigenvalues = [sp.I, -sp.I]  # Is this the motion without control? (hint 1)
 a_eigenvalues = [-value for value in a_eigenvalues]  # Do these motions decay?
 a_eigenvalues = a_gain  # Are these the gains? (hint 1)
-b_seen = False  # Does a mass on a stretched spring stay at rest? (hint 1)
+b_motion_observable = False  # Does a mass on a stretched spring stay at rest? (hint 1)
 b_cost = b_cost / 2  # Is the cost the energy, or twice the energy? (hint 1)
 b_cost = sp.diag(0, b_weight)  # Does a mass on a stretched spring stay at rest? (hint 1)
 b_cost = -b_cost  # Can a cost be negative? (hint 2)
@@ -54,8 +54,8 @@ b_eigenvalues = [sp.exp(sign * sp.I * angle) for sign in (1, -1)]
 a_weight, b_weight = [
     (root**2 - 1, speed)
     for root, speed in [
-        *[(2, 1), (3, 2), (4, 3), (5, 2), (6, 3), (8, 2), (9, 2)],
-        *[(3, 3), (4, 2), (5, 3), (6, 2), (7, 2), (7, 3), (8, 3)],
+        *[(2, 1), (3, 2), (4, 3), (5, 6), (7, 5), (6, 7), (8, 8)],
+        *[(9, 10), (11, 9), (10, 14), (15, 11), (14, 12), (12, 16), (13, 13)],
     ]
 ]
 shown = [r"\big(«a_weight*»x_1^2 + u^2\big)", r"\big(«b_weight*»x_2^2 + u^2\big)"]

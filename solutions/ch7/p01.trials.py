@@ -13,10 +13,10 @@ a_speed = (
 )
 # Was the feedback by the curvature of the Earth left out? (hint 1)
 a_speed = v0 + (b - g * phi0) * t - g * eps * t**2 / 2
-b_unseen = [0, 1, 0, -g]  # Which sign must the tilt have to hide the bias? (hint 1)
+b_unobservable_change = [0, 1, 0, -g]  # Which sign must the tilt have to hide the bias? (hint 1)
 # Does this change not cause an oscillation of the speed? (hint 1)
-b_unseen = [-R, 0, 1, 0]
-b_unseen = [0, 0, 0, 0]  # Is no change at all a change? (hint 1)
+b_unobservable_change = [-R, 0, 1, 0]
+b_unobservable_change = [0, 0, 0, 0]  # Is no change at all a change? (hint 1)
 c_error = b / g  # Is this the truth minus the estimate? (hint 1)
 c_error = 0  # Is an error harmless because it is unobservable? (hint 1)
 # Were the errors added as if they were independent? (hint 2)
@@ -36,8 +36,8 @@ a_speed = (
     - 2 * L * E * sp.sin(T * sp.sqrt(G / L) / 2) ** 2
     + (B - G * P) * sp.sqrt(L / G) * sp.sin(T * sp.sqrt(G / L))
 )
-b_unseen = sp.Matrix([0, 1 / g, 0, 1])  # divided by g, as a column
-b_unseen = (0, -2, 0, -2 * g)  # with the opposite sign
+b_unobservable_change = sp.Matrix([0, 1 / g, 0, 1])  # divided by g, as a column
+b_unobservable_change = (0, -2, 0, -2 * g)  # with the opposite sign
 c_error = -1.0 * b / g  # a decimal factor
 # by the half angle
 d_worst = (

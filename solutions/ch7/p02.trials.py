@@ -1,9 +1,9 @@
 # %% wrong
-a_unseen = [x, y, 0, 0]  # Is the line of sight constant? (hint 1)
+a_unobservable_change = [x, y, 0, 0]  # Is the line of sight constant? (hint 1)
 # Is a displacement unobservable along the course, or along the line of sight? (hint 1)
-a_unseen = [0, 0, u, w]
+a_unobservable_change = [0, 0, u, w]
 # Is this displacement across the line of sight, where a bearing changes most? (hint 1)
-a_unseen = [-y, x, -w, u]
+a_unobservable_change = [-y, x, -w, u]
 # Is any manoeuvre enough? In which direction are all targets of the family displaced? (hint 1)
 b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))
 # Is the turn compared with the line of sight at the right instant? (hint 2)
@@ -39,7 +39,7 @@ c_error = (
 )
 
 # %% right
-a_unseen = sp.Matrix([-x, -y, -u, -w]) / 3  # towards the observer, as a column
+a_unobservable_change = sp.Matrix([-x, -y, -u, -w]) / 3  # towards the observer, as a column
 # multiplied out, with the time after the turn
 b_condition = sp.Ne((t - T) * (q * x + q * u * t - p * y - p * w * t), 0)
 b_condition = (p * (y + w * t) - q * (x + u * t)) ** 2 > 0  # by the square

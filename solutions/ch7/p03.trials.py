@@ -14,14 +14,17 @@ a_modes = [
     (n1 * v_x + n3 * v_z) / omega + 2 * n2 * (3 * x + 2 * v_y / omega),
 ]
 # Do displacements across the line of sight remain there? (hint 1)
-b_unseen = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
+b_unobservable_states = [[-n2, n1, 0, 0, 0, 0], [0, -n3, n2, 0, 0, 0]]
 # Are these two states really independent? (hint 2)
-b_unseen = [
+b_unobservable_states = [
     [1, 0, -n1 / n3, 0, -2 * omega, 2 * n2 * omega / n3],
     [2, 0, -2 * n1 / n3, 0, -4 * omega, 4 * n2 * omega / n3],
 ]
 # Is it enough that position and velocity are perpendicular to the line of sight? (hint 1)
-b_unseen = [[1, 0, -n1 / n3, 0, 0, 0], [0, 2, -2 * n2 / n3, omega, 0, -n1 * omega / n3]]
+b_unobservable_states = [
+    [1, 0, -n1 / n3, 0, 0, 0],
+    [0, 2, -2 * n2 / n3, omega, 0, -n1 * omega / n3],
+]
 c_ranks = [4, 4, 4]  # Does every direction show all four functions? (hint 1)
 c_ranks = [2, 2, 2]  # Does a range in one direction depend on that coordinate only? (hint 1)
 d_insufficient = sp.Eq(n1 * k3, n3 * k1)  # Is one equality enough? (hint 2)
@@ -42,14 +45,14 @@ a_modes = sp.Matrix(
     ]
 )
 # without fractions
-b_unseen = [
+b_unobservable_states = [
     [n3, 0, -n1, 0, -2 * omega * n3, 2 * n2 * omega],
     [0, 2 * n3, -2 * n2, omega * n3, 0, -n1 * omega],
 ]
 # their sum and difference, as columns
 one = sp.Matrix([1, 0, -n1 / n3, 0, -2 * omega, 2 * n2 * omega / n3])
 two = sp.Matrix([0, 2, -2 * n2 / n3, omega, 0, -n1 * omega / n3])
-b_unseen = [one + two, one - two]
+b_unobservable_states = [one + two, one - two]
 # the determinant
 d_insufficient = sp.Eq((n1 / n3 - k1 / k3) ** 2 + 4 * (n2 / n3 - k2 / k3) ** 2, 0)
 # unit vectors at an angle of 0 or 180 degrees
