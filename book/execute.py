@@ -4,8 +4,8 @@ A page is stale if its code cells changed, or a file that they name, or a module
 loads (also indirectly), or requirements.txt, or the way in which pages are executed. Jupyter Book's
 own cache compares only the cells. Records that no page uses any more are removed.
 
-Libraries are imported here, once; each page then has its own kernel, forked from this process. One
-page is executed on each core.
+Libraries are imported here, once; each page then has its own kernel, on Linux forked from this
+process. One page is executed on each core.
 
 If a cell fails, or a check finds an answer not right, the page, the cell and the message are
 printed and the exit code is 1.
@@ -13,7 +13,6 @@ printed and the exit code is 1.
 
 import hashlib
 import json
-import multiprocessing
 import os
 import re
 import sys
@@ -27,7 +26,7 @@ from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
 from jupyter_client.localinterfaces import local_ips
 from jupyter_client.provisioning import KernelProvisionerFactory
-from kernel import INK, Kernel
+from kernel import INK, start_kernel
 from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
 from myst_parser.config.main import MdParserConfig
 from nbclient import NotebookClient
@@ -39,6 +38,7 @@ from sphinx_external_toc.parsing import parse_toc_yaml
 from workbook.grading.sandbox.preloading import SYMPY, preload, warm_up_matplotlib
 from workbook.notebooks.dependencies import PACKAGES, module_closure
 from workbook.notebooks.dependencies import ROOT as HOME
+from workbook.notebooks.execution import CONTEXT
 
 ROOT = Path(__file__).resolve().parent.parent
 #: The files that define how pages are executed: outputs may depend on them.
@@ -64,7 +64,6 @@ LARGEST = 600_000
 #: A file that a page may read: its path from the page, in quotes.
 FILE_NAME = re.compile(r"""["']([\w./-]+\.\w+)["']""")
 CURVE = re.compile(r'(?<= d=")[^"]*')
-FORK = multiprocessing.get_context("fork")
 
 
 @dataclass(frozen=True)
@@ -131,7 +130,9 @@ def read_state(state_file, common):
     These are the pages that were fresh after the last run; none if the digest of everything that
     all pages share has changed. A page with the same hash need not be read again.
     """
-    previous, pages = json.loads(state_file.read_text()) if state_file.exists() else (None, {})
+    previous, pages = (
+        json.loads(state_file.read_text("utf-8")) if state_file.exists() else (None, {})
+    )
     if previous != common:
         return {}
     return {Path(path): (digest, key) for path, (digest, key) in pages.items()}
@@ -143,7 +144,8 @@ def write_state(state_file, common, hashes, keys):
     Also before pages are executed: their records have been removed, and a run may be stopped.
     """
     state_file.write_text(
-        json.dumps([common, {str(path): (hashes[path], key) for path, key in keys.items()}])
+        json.dumps([common, {str(path): (hashes[path], key) for path, key in keys.items()}]),
+        encoding="utf-8",
     )
 
 
@@ -249,13 +251,13 @@ def import_for(pages):
 
 
 def run_in_parallel(function, items, *arguments):
-    """Yield (item, function(item, *arguments)) as each ends, one forked process on each core."""
+    """Yield (item, function(item, *arguments)) as each ends, one process on each core."""
     waiting, running = list(items), {}
     while waiting or running:
         while waiting and len(running) < CORES:
             item = waiting.pop(0)
-            receiver, sender = FORK.Pipe(duplex=False)
-            process = FORK.Process(target=send_result, args=(sender, function, item, *arguments))
+            receiver, sender = CONTEXT.Pipe(duplex=False)
+            process = CONTEXT.Process(target=send_result, args=(sender, function, item, *arguments))
             process.start()
             sender.close()
             running[receiver] = item, process
@@ -273,7 +275,7 @@ def execute(page, timeout):
     """Execute a page in a ready kernel; return its outputs or failure, and the time it took."""
     start = time.monotonic()
     try:
-        with Kernel(page.path.parent) as kernel:
+        with start_kernel(page.path.parent) as kernel:
             # Times of cells would change the key of the page in the cache.
             NotebookClient(
                 page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False

@@ -69,7 +69,7 @@ def main(root):
     folder = root / "_build" / "mistakes"
     paths, state = master_paths(root / "solutions"), folder / "state"
     digest = _digest(root, paths)
-    if state.exists() and state.read_text() == digest:
+    if state.exists() and state.read_text("utf-8") == digest:
         print("no trial has changed, all common mistakes are up to date")
         return 0
     problems = [_problem(read(path), folder) for path in paths]
@@ -88,7 +88,7 @@ def main(root):
         print(failure, file=sys.stderr)
     if not failures:
         folder.mkdir(parents=True, exist_ok=True)
-        state.write_text(digest)
+        state.write_text(digest, encoding="utf-8")
     return 1 if failures else 0
 
 
@@ -264,7 +264,8 @@ def _problem(master, folder):
 
 def _is_fresh(problem):
     return (
-        problem.file.exists() and json.loads(problem.file.read_text())["of"] == problem.fingerprint
+        problem.file.exists()
+        and json.loads(problem.file.read_text("utf-8"))["of"] == problem.fingerprint
     )
 
 

@@ -1,5 +1,8 @@
 """A Jupyter kernel that is ready at once: a fork of this process, with all its imports.
 
+Elsewhere than on Linux it is a process of its own, which imports for itself: Windows forks none, and
+libraries of macOS may crash after a fork.
+
 It has to be forked before this process has a thread or a ZeroMQ context, since neither survives a
 fork. The kernel itself takes free ports and writes them into its connection file, so that no other
 program can take one of them in between.
@@ -7,6 +10,7 @@ program can take one of them in between.
 
 import os
 import signal
+import subprocess
 import sys
 import traceback
 from contextlib import suppress
@@ -20,6 +24,8 @@ from jupyter_client import AsyncKernelClient, AsyncKernelManager
 from jupyter_client.provisioning import LocalProvisioner
 from traitlets.config import Config
 
+#: What a kernel writes when it can be asked.
+READY = b"ready"
 #: The page's ink, --ink of its light theme, and the page's font, as Matplotlib reads it; what that
 #: lacks is taken from Matplotlib's own.
 INK = "#1d2530"
@@ -82,15 +88,19 @@ class Kernel:
         self._folder = TemporaryDirectory()
         self._file = f"{self._folder.name}/kernel.json"
         self.returncode = None
+        with self._start(folder) as answer:
+            if not answer.read(len(READY)):
+                raise RuntimeError("the kernel ended before it could be asked anything")
+
+    def _start(self, folder):
+        """Start the process; return a file in which it writes `READY`."""
         receiver, sender = os.pipe()
         self.pid = os.fork()
         if self.pid == 0:
             os.close(receiver)
             _serve(self._file, folder, sender)
         os.close(sender)
-        with open(receiver, "rb") as answer:
-            if not answer.read():
-                raise RuntimeError("the kernel ended before it could be asked anything")
+        return open(receiver, "rb")
 
     def manager(self):
         """Return a kernel manager for nbclient, which finds this kernel running."""
@@ -128,10 +138,43 @@ class Kernel:
         self._folder.cleanup()
 
 
+class SpawnedKernel(Kernel):
+    """The same in a process of its own."""
+
+    def _start(self, folder):
+        self._process = subprocess.Popen(
+            [sys.executable, __file__, self._file, folder], stdout=subprocess.PIPE
+        )
+        self.pid = self._process.pid
+        return self._process.stdout
+
+    def poll(self):
+        return self._process.poll()
+
+    def wait(self):
+        return self._process.wait()
+
+    def send_signal(self, number):
+        self._process.send_signal(number)
+
+    def __exit__(self, *error):
+        self._process.kill()
+        self._process.wait()
+        self._folder.cleanup()
+
+
+def start_kernel(folder):
+    """Return a kernel in a folder."""
+    return (Kernel if sys.platform == "linux" else SpawnedKernel)(folder)
+
+
 def _serve(connection_file, folder, sender):
-    """Run the kernel in the fork, as `python -m ipykernel_launcher` does; never return."""
+    """Run the kernel in this process, as `python -m ipykernel_launcher` does; never return."""
+    parent = []
     try:
-        os.setsid()
+        if sys.platform != "win32":
+            os.setsid()
+            parent = [f"--IPKernelApp.parent_handle={os.getppid()}"]
         os.chdir(folder)
         sys.path[:] = [
             path for path in sys.path if path != os.path.dirname(os.path.abspath(__file__))
@@ -146,13 +189,16 @@ def _serve(connection_file, folder, sender):
                 f"--f={connection_file}",
                 "--log-level=CRITICAL",
                 "--HistoryManager.hist_file=:memory:",
-                f"--IPKernelApp.parent_handle={os.getppid()}",
+                *parent,
             ]
         )
-        os.write(sender, b"ready")
-        os.close(sender)
+        os.write(sender, READY)
         app.start()
     except BaseException:
         traceback.print_exc()
     finally:
         os._exit(1)
+
+
+if __name__ == "__main__":
+    _serve(sys.argv[1], sys.argv[2], sys.stdout.fileno())

@@ -33,9 +33,11 @@ WIDTH, HEIGHT = 8.27, 11.69
 MARGINS = {"marginTop": 0.95, "marginBottom": 0.85, "marginLeft": 0.8, "marginRight": 0.8}
 #: Text of the site is 18 px high; on paper it is set in 11 points.
 SCALE = 0.8
-STYLE = (ROOT / "book" / "pdf.css").read_text()
+STYLE = (ROOT / "book" / "pdf.css").read_text("utf-8")
 #: The fonts of the site, of which the first rules of its style tell.
-FONTS = re.findall(r"@font-face .*", (ROOT / "book" / "_static" / "workbook.css").read_text())
+FONTS = re.findall(
+    r"@font-face .*", (ROOT / "book" / "_static" / "workbook.css").read_text("utf-8")
+)
 
 
 #: What the anchor of a problem's page is called that leads to its solution.
@@ -70,13 +72,13 @@ class Page:
 def title_of(name):
     """Return the title of a built page as text, its formulas in TeX."""
     # the pages have a million elements: a parser would take minutes for all of them
-    heading = re.search(r"<h1>(.*?)</h1>", (SITE / f"{name}.html").read_text(), re.S)
+    heading = re.search(r"<h1>(.*?)</h1>", (SITE / f"{name}.html").read_text("utf-8"), re.S)
     return " ".join(html.unescape(re.sub(r"<[^>]*>|\\\\[()]", "", heading[1])).split())
 
 
 def chapters():
     """Return the pages of each chapter by its number: the chapter, its sections, its problems' statements."""
-    toc = yaml.safe_load((ROOT / "_toc.yml").read_text())
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))
     return {
         (number := entry["file"].removeprefix("book/ch")): [
             Page(entry["file"], f"{number}. {title_of(entry['file'])}", 0),
@@ -157,11 +159,13 @@ class Printer:
 
     def typeset(self, body):
         """Return the PDF of a body of HTML that has its own sheets."""
-        with tempfile.NamedTemporaryFile("w", suffix=".html") as file:
+        with tempfile.TemporaryDirectory() as folder:
             fonts = "".join(FONTS).replace("url(", f"url({(SITE / '_static').as_uri()}/")
-            file.write(f"<!doctype html><meta charset=utf-8><style>{fonts}{STYLE}</style>{body}")
-            file.flush()
-            self.driver.get(Path(file.name).as_uri())
+            file = Path(folder, "sheets.html")
+            file.write_text(
+                f"<!doctype html><meta charset=utf-8><style>{fonts}{STYLE}</style>{body}", "utf-8"
+            )
+            self.driver.get(file.as_uri())
             self.driver.execute_async_script("document.fonts.ready.then(arguments[0])")
             return PdfReader(io.BytesIO(self._pdf({"preferCSSPageSize": True})))
 
@@ -198,7 +202,7 @@ def anchors_of(pages):
     """Return for each page the anchors in it to which pages of the book link."""
     anchors = {page.name: set() for page in pages}
     for page in pages:
-        source = (SITE / f"{page.name}.html").read_text()
+        source = (SITE / f"{page.name}.html").read_text("utf-8")
         for href in set(re.findall(r'href="([^"]*#[^"]+)"', source)):
             name, anchor = _target(page.address, html.unescape(href))
             if name in anchors and anchor:

@@ -126,13 +126,13 @@ def _verified(path):
 def _packed(folder, makers):
     """Write the files that are not there from the same source, in both forms; return their table."""
     record = folder.with_suffix(".json")
-    files = json.loads(record.read_text()) if record.is_file() else {}
+    files = json.loads(record.read_text("utf-8")) if record.is_file() else {}
     for name, (source, make) in makers.items():
         key = hashlib.sha256(source).hexdigest()
         if files.get(name, {}).get("key") != key or not (folder / f"{name}.bin").is_file():
             files[name] = {"key": key, **_written(folder, name, make())}
             # after each file, so that an interrupted run is taken up
-            record.write_text(json.dumps(files))
+            record.write_text(json.dumps(files), encoding="utf-8")
     return files
 
 
@@ -143,7 +143,9 @@ def _written(folder, name, data):
     parts = [packed[start : start + PART] for start in range(0, len(packed), PART)]
     for k, part in enumerate(parts):
         text = base64.b64encode(part).decode()
-        (folder / f"{name}.{k}.js").write_text(f'workbookEngineData("{name}", {k}, "{text}")')
+        (folder / f"{name}.{k}.js").write_text(
+            f'workbookEngineData("{name}", {k}, "{text}")', "utf-8"
+        )
     (folder / f"{name}.bin").write_bytes(packed)
     sum_of_packed = hashlib.sha256(packed).hexdigest()
     return {"sha256": sum_of_packed, "bytes": len(packed), "parts": len(parts)}

@@ -225,7 +225,8 @@ def _outline(site, page):
     """Return boxes, solutions, hints and checks of a page in their order."""
     soup = BeautifulSoup((site / page).read_text(encoding="utf-8"), "html.parser")
     kinds = {
-        "box": "section.answer-box[hidden]",
+        "box": ".answer-box[hidden]:not([data-uncounted])",
+        "steps": "details.steps",
         "solution": "details.solution",
         "hint": ".bd-article details:not([class])",
         "check": ".tag_check",
@@ -237,14 +238,16 @@ def _outline(site, page):
 
 
 def test_a_box_stands_before_the_solution_of_its_item_or_before_its_hints(sites):
-    assert _outline(sites.solutions, "solutions/ch1/p15.html") == ["box", "solution", "check"] * 5
-    assert (
-        _outline(sites.solutions, "solutions/ch5/p57.html")
-        == ["box", "solution"] * 3 + ["check"] * 3
-    )
+    last, solved = ["box", "steps"], ["box", "solution", "check"]
+    for problem, checks in ("ch1/p15", 5), ("ch5/p57", 3):
+        page = f"solutions/{problem}.html"
+        assert _outline(sites.solutions, page) == [*solved * (checks - 1), *last, *solved[1:]]
+        soup = BeautifulSoup((sites.solutions / page).read_text(encoding="utf-8"), "html.parser")
+        assert len(soup.select("details.solution .tag_check")) == checks
     for problem, checks in ("ch1/p15", 5), ("ch5/p57", 3), ("ch5/p03", 4):
         outline = _outline(sites.exercises, f"exercises/{problem}.html")
-        assert outline == ["box", "hint", "check"] * checks
+        asked = ["box", "hint", "check"]
+        assert outline == [*asked * (checks - 1), *last, *asked[1:]]
 
 
 def test_without_the_engine_a_page_has_no_box_and_no_script(tmp_path):
@@ -343,7 +346,9 @@ def test_without_webassembly_a_page_stays_as_it_is(page):
 
 def test_on_paper_there_are_stubs_and_no_boxes(browser, page):
     page.open(edition="exercises")
-    boxes, stubs = page.all(".answer-box, .answers-panel"), page.all(".tag_answer")
+    page.all("details.steps summary")[0].click()
+    boxes = page.all(".answer-box, .answers-panel, details.steps")
+    stubs = page.all(".tag_answer")
     assert all(box.is_displayed() for box in boxes) and not any(s.is_displayed() for s in stubs)
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     try:
@@ -398,6 +403,52 @@ def test_an_error_has_its_line_and_a_hint_and_what_was_printed_is_shown(page, br
     assert "line 2" in browser.run("document.querySelector('.answer-live').textContent")
 
 
+STEPS = "my_steps = [k1**2 - 6*k1 + 8 > 0, (k1 - 2)*(k1 - 4) > 0, k1 > 4]"
+
+
+@pytest.mark.parametrize("edition", ["solutions", "exercises"])
+def test_steps_are_checked_below_the_boxes_and_count_for_nothing(page, browser, edition):
+    page.open(edition=edition)
+    page.write("a_region", WRONG)
+    fold, panel = page.all("details.steps")[0], page.all(".answers-panel")[0]
+    assert fold.text == "Check my steps" and panel.is_displayed()
+    page.all("details.steps summary")[0].click()
+    page.write("my_steps", STEPS)
+    last = len(page.all(".answer-run")) - 1
+    output = page.run(last)
+    assert "my_steps" in output and "your third step does not follow" in output
+    page.write("my_steps", STEPS.replace("k1 > 4", "(k1 < 2) | (k1 > 4)"))
+    assert "each of your 3 steps follows" in page.run(last)
+    assert "verified" not in page.panel()
+    notebook = nbformat.read(page.download(), 4)
+    assert any(STEPS[:40] in cell.source for cell in notebook.cells)
+
+
+def test_what_was_read_is_shown_and_an_error_only_in_its_own_box(page, browser):
+    page.open()
+    page.write("a_region", "(k₁ > 0) & (k₁·k₂ > 1)")
+    output = page.run()
+    assert output.startswith("Read as:\na_region = (k1 > 0) & (k1*k2 > 1)") and "right" in output
+    assert browser.run("document.querySelector('.answer-live').textContent").startswith("Read as: ")
+    page.write("a_region", "a_region = k1 > 0 and k2 > 0")
+    assert "a_region, line 1 TypeError" in page.run()
+    page.write("b_region", "b_region = k1 > 0")
+    for box in (1, 2):  # wrong, and not answered
+        output = page.run(box)
+        assert "a_region" not in output and "TypeError" not in output
+
+
+def test_answers_kept_under_a_former_name_are_in_the_box(page, browser):
+    """The page of 1.15 has no renamed answer: its first box is given a former name here."""
+    with page.before_scripts(
+        """localStorage["workbook/answers/1.15/old"] = JSON.stringify({a_lost: "a_lost = k1 > 0"});
+        addEventListener("readystatechange", () =>
+            document.querySelector("textarea[data-name=a_region]")?.setAttribute("data-former", "a_lost"), true);"""
+    ):
+        page.open()
+    assert page.text("a_region") == "a_lost = k1 > 0"
+
+
 def test_a_run_can_be_stopped(page, browser):
     page.open()
     page.write("a_region", "while True: pass")
@@ -406,6 +457,21 @@ def test_a_run_can_be_stopped(page, browser):
     page.all(".answer-stop")[0].click()
     assert page.output() == "Stopped."
     assert browser.run("document.activeElement.innerText") == "Run and check"
+    page.write("a_region", RIGHT["a_region"])
+    assert "right" in page.run()
+
+
+def test_a_run_can_be_stopped_while_the_notebook_is_loaded(page, browser):
+    page.open()
+    page.write("a_region", "while True: pass")
+    late = "node => setTimeout(() => append(node), 2000)"
+    browser.run(
+        f"(() => {{ const append = document.head.append.bind(document.head); document.head.append = {late}; }})()"
+    )
+    page.all(".answer-run")[0].click()
+    assert browser.wait_for("document.querySelector('.answer-state').innerText === 'ready'")
+    page.all(".answer-stop")[0].click()
+    assert page.output() == "Stopped."
     page.write("a_region", RIGHT["a_region"])
     assert "right" in page.run()
 
@@ -500,6 +566,24 @@ def test_answers_are_kept_cleared_and_brought_back(page, browser):
         "Object.keys(localStorage).filter(key => key.startsWith('workbook/answers'))"
     )
     assert keys == []
+
+
+def test_a_browser_that_keeps_nothing_says_so_and_asks_for_python_once(page, browser):
+    refuse = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('refused'); }})"
+    with page.before_scripts(refuse):
+        page.open(allowed=False)
+        assert "kept in this browser" in page.panel()
+        page.write("a_region", RIGHT["a_region"])
+        assert "does not keep your answers: download them" in page.panel()
+        page.all(".answer-run")[0].click()
+        assert browser.wait_for("document.querySelector('.answer-question')")
+        page.all(".answer-question button")[0].click()
+        assert "right" in page.output()
+        page.open("ch5/p03", allowed=False)
+        page.write("a_law", "a_law = x1")
+        assert not page.all(".answer-question")
+    page.open()
+    browser.driver.execute_script("window.name = ''")
 
 
 def test_two_tabs_with_a_problem_do_not_undo_each_other(page, browser):
@@ -629,6 +713,7 @@ def test_axe_finds_no_fault_in_boxes_with_all_their_outputs(page, browser, editi
     page.write("a_region", f"print(1)\n{WRONG}")
     page.write("b_region", "b_region = k1 > 0 and k2 > 0")
     page.run(0), page.run(1), page.run(2)
+    page.all("details.steps summary")[0].click()
     browser.driver.execute_script("localStorage.removeItem('workbook/python')")
     browser.show_theme(theme)
     axe = Axe(browser.driver)
@@ -644,5 +729,12 @@ def test_boxes_fit_a_phone(page, browser):
     assert browser.run("document.documentElement.scrollWidth") <= 390
     boxes = "[...document.querySelectorAll('.answer-box, .answer-box *')]"
     assert browser.run(f"Math.max(...{boxes}.map(e => e.getBoundingClientRect().right))") <= 390
+    letters = (
+        "[...document.querySelectorAll('.answer-fields textarea, .answer-fields .cm-content')]"
+    )
+    assert (
+        browser.run(f"Math.min(...{letters}.map(e => parseFloat(getComputedStyle(e).fontSize)))")
+        == 16
+    )  # else iOS zooms into the field
     small = "[...document.querySelectorAll('.answer-box button')].filter(b => b.offsetHeight && b.offsetHeight < 40)"
     assert browser.run(f"{small}.length") == 0

@@ -76,7 +76,7 @@ def test_the_students_notebook_is_served(browser, addresses, problem):
 
 
 def test_the_wheel_is_served(browser, addresses):
-    page = f"{addresses['http']}/book/guides/student.html"
+    page = f"{addresses['http']}/book/guides/install.html"
     browser.open(page)
     with urlopen(
         urljoin(page, browser.find("a.download[href$='.whl']").get_attribute("href"))

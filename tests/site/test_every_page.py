@@ -57,7 +57,19 @@ def test_cut_off_elements_are_found(browser, addresses):
     browser.resize(PHONE, 844, phone=True)
     browser.open(f"{addresses['http']}/solutions/ch4/p17.html")
     assert {"code", "displayed", "tables"} <= _cut_off(browser, 620).keys()
-    assert browser.run("innerWidth - document.documentElement.clientWidth") > 10
+    assert browser.wait_for("innerWidth - document.documentElement.clientWidth > 10")
+
+
+def test_the_column_of_text_stays_in_its_place(browser, addresses):
+    """Also on a page that has no headings to list beside it."""
+    browser.resize(1400, 900)
+    left = []
+    for page in ("solutions/ch1/p15.html", "book/ch1/hurwitz.html"):
+        browser.open(f"{addresses['http']}/{page}")
+        left.append(
+            browser.run("document.querySelector('.bd-article').getBoundingClientRect().left")
+        )
+    assert left[0] == left[1] > 0
 
 
 def test_pages_of_the_student_edition_alone_fit_a_phone_without_errors(

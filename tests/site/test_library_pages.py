@@ -103,4 +103,4 @@ def test_the_first_page_leads_engineers_to_their_guide(browser, addresses):
         "[...document.querySelectorAll('.sd-card')].map(card => "
         "[card.querySelector('.sd-card-title').innerText, card.querySelector('a').href])"
     )
-    assert dict(cards)["Engineers"].endswith("/book/guides/engineer.html")
+    assert dict(cards)["Engineer"].endswith("/book/guides/engineer.html")

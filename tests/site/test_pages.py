@@ -5,6 +5,7 @@ import zipfile
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urlsplit
 
+import given_away
 import pytest
 
 from workbook import authoring
@@ -91,7 +92,7 @@ def test_sources_are_not_served(pages):
     wheels = list(root.glob("wheels/*.whl"))
     assert wheels
     for wheel in wheels:
-        names = zipfile.ZipFile(wheel).namelist()
+        names = set(zipfile.ZipFile(wheel).namelist()) - {"workbook/_exercises/README.md"}
         assert not [
             name for name in names if "solutions/" in name or name.endswith((".md", ".trials.py"))
         ]
@@ -125,6 +126,16 @@ def test_the_student_edition_holds_no_solution(pages):
             master.code("data", "check")
         ):
             assert line not in shown, f"{master.number}: {line}"
+
+
+def test_no_text_of_the_student_edition_is_the_right_side_of_a_worked_answer(editions):
+    """Also of its archives, its wheel and the Python of its pages, which holds the library."""
+    answers = given_away.worked_answers(authoring.read_all(ROOT / "solutions"))
+    assert len(answers) > 800
+    assert given_away.given_away(given_away.texts_below(editions.student), answers) == []
+    # what is allowed stands there: a row that is no longer needed goes
+    texts = "".join(text for _, text in given_away.texts_below(editions.student))
+    assert [text for text in given_away.ALLOWED if text not in texts] == []
 
 
 def test_the_student_edition_has_every_problem(editions):

@@ -147,7 +147,7 @@ FIRST = {
     "глава 5": "book/ch5.html#optimal-control-of-motion",
     "5.26": "ch5/p26.html#problem-5.26",
     "задача 5.26": "ch5/p26.html#problem-5.26",
-    "how to install": "book/guides/student.html#install-the-workbook",
+    "how to install": "book/guides/install.html#install",
     "switching curve": "book/ch5/synthesis.html#def-dispersal",
     "place": "book/library/feedback.html#library-feedback-place",
     "Routh": "book/ch1/hurwitz.html#sec-1-hurwitz",

@@ -6,6 +6,8 @@ listings          the list of all problems and the index by topic, made from the
 downloads         the notebooks of students and tutorials, and the wheel
 common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
 answer_boxes      boxes for answers that are checked in the page
+self_tests        questions inside the theory, with the same boxes
+routes            ways through the course as tables, and the map of the sections
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
 explorers         interactive figures: their script, once, on the pages that have one
@@ -20,6 +22,7 @@ check_cases       answers that checks accept and reject, from the tables that ar
 control_problems  test problems of optimal control, from the records that are their tests
 search_index      the entries of the search, read by book/_static/search.js
 invalidation      what makes a page outdated, beyond its own text
+errata            entries on problems are cut in the student edition
 slim_environment  less of each page is kept from one build to the next
 offline           nothing is loaded from another host
 """
@@ -35,6 +38,7 @@ from workbook_site import (
     common_mistakes,
     control_problems,
     downloads,
+    errata,
     explorers,
     figures,
     folding,
@@ -46,7 +50,9 @@ from workbook_site import (
     offline,
     problem_pages,
     punctuation,
+    routes,
     search_index,
+    self_tests,
     slim_environment,
     tiles,
     uses,
@@ -60,6 +66,8 @@ EXTENSIONS = (
     control_problems,
     common_mistakes,
     answer_boxes,
+    self_tests,
+    routes,
     folding,
     figures,
     explorers,
@@ -72,6 +80,7 @@ EXTENSIONS = (
     tiles,
     check_cases,
     search_index,
+    errata,
     invalidation,
     slim_environment,
     offline,

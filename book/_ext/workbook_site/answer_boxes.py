@@ -4,6 +4,7 @@ A page holds its boxes hidden, with the stubs of the student's notebook, and `bo
 shows them; without scripts, on paper and without the engine (Python in WebAssembly, `run/`) a page
 is as it is without boxes. The boxes are the answer cells of the notebook: what is typed goes into
 it unchanged, and the verdict is the grader's. `{try-answer}` shows a box of a problem on another page.
+Below the last box a fold holds the one that checks the steps of work on paper.
 """
 
 import hashlib
@@ -17,11 +18,12 @@ from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.docutils import SphinxDirective
 
-from workbook.authoring.contract import item_of
+from workbook.authoring.student_notebook import STEPS_TEXT
 from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.former_names import with_former_names
 from workbook_site import catalogue
 from workbook_site.downloads import served_notebook
-from workbook_site.folding import details
+from workbook_site.folding import details, solution_of, summary
 
 #: The folder of the engine below the site's root, and its script.
 RUN, ENGINE = "run", "engine.js"
@@ -32,23 +34,31 @@ DIGITS = 12
 
 @dataclass(frozen=True)
 class Box:
-    """The id of a check cell and its answer cells: (id, name, stub)."""
+    """The id of a check cell and its answer cells: (id, name, stub); whether its verdicts count."""
 
     check: str
     answers: tuple
+    counts: bool = True
 
     def html(self):
         """Return the hidden box."""
         fields = "".join(
-            f'<textarea data-cell="{cell}" data-name="{name}" aria-label="{name}" spellcheck="false" '
+            f'<textarea data-cell="{cell}" data-name="{name}"{_former(name)} aria-label="{name}" '
+            f'spellcheck="false" '
             f'autocapitalize="off" rows="{stub.count(chr(10)) + 1}">{escape(stub)}</textarea>'
             for cell, name, stub in self.answers
         )
         names = ", ".join(name for _, name, _ in self.answers)
         return (
-            f'<section class="answer-box" data-check="{self.check}" aria-label="Answer: {names}" '
-            f"hidden>{fields}</section>\n"
+            f'<section class="answer-box" data-check="{self.check}"{"" if self.counts else " data-uncounted"} '
+            f'aria-label="Answer: {names}" hidden>{fields}</section>\n'
         )
+
+
+def _former(name):
+    """Return the attribute for a former name, under which answers may be kept in a browser."""
+    former = with_former_names(name)
+    return f' data-former="{former}"' if former != name else ""
 
 
 class answer_box(nodes.General, nodes.Element):
@@ -76,6 +86,17 @@ def boxes_of(notebook):
     ]
 
 
+def steps_box_of(notebook):
+    """Return the box that checks the steps of work on paper."""
+    stub, check = (
+        cell
+        for cell in notebook["cells"]
+        if _has_role(cell, "steps") and cell["cell_type"] == "code"
+    )
+    name = STUB.search(stub["source"])[1]
+    return Box(check["id"], ((stub["id"], name, stub["source"]),), counts=False)
+
+
 def in_order_of_boxes(notebook):
     """Return the notebook with its answer cells in the order of the boxes.
 
@@ -91,7 +112,11 @@ def in_order_of_boxes(notebook):
 
 def version_of(notebook):
     """Return a digest of the code: typed answers are kept for one version of a problem."""
-    code = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    code = [
+        cell["source"]
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "code" and not _has_role(cell, "steps")
+    ]
     return hashlib.sha256(json.dumps(code[1:]).encode()).hexdigest()[:DIGITS]
 
 
@@ -110,9 +135,14 @@ class AnswerBoxes(SphinxPostTransform):
         if problem is None or not self.config.workbook_engine_found:
             return
         cells = [cell for cell in self.document.findall(nodes.container) if _is_cell(cell, "check")]
-        place = _Place(self.document)
-        for box, check in zip(boxes_of(_notebook(self.app, problem)), cells, strict=True):
-            place.insert(answer_box(page=problem.page, box=box), check)
+        place, notebook = _Place(self.document), _notebook(self.app, problem)
+        for box, check in zip(boxes_of(notebook), cells, strict=True):
+            last = answer_box(page=problem.page, box=box)
+            place.insert(last, check)
+        steps = details("", summary("", "Check my steps"), classes=["steps"])
+        steps += nodes.paragraph("", STEPS_TEXT)
+        steps += answer_box(page=problem.page, box=steps_box_of(notebook))
+        last.parent.insert(last.parent.index(last) + 1, steps)
 
 
 class TryAnswer(SphinxDirective):
@@ -159,25 +189,12 @@ class _Place:
     def insert(self, node, check):
         end = self._order.index(check)
         candidates = self._order[self._first : end]
-        before = self._solution(candidates, node["box"]) or self._stub_or_hint(candidates) or check
+        name = node["box"].answers[0][1]
+        before = solution_of(name, candidates) or self._stub_or_hint(candidates) or check
         before.parent.insert(before.parent.index(before), node)
         self._first = self._order.index(before)
         if before is check or not isinstance(before, details):
             self._first = end + 1
-
-    def _solution(self, candidates, box):
-        """Return the fold of the box's item, or else the last one before its check."""
-        folds = [
-            node
-            for node in candidates
-            if isinstance(node, details) and "solution" in node["classes"]
-        ]
-        item = item_of(box.answers[0][1])
-        for fold in folds:
-            label = next((name for part in fold.findall(nodes.Element) for name in part["ids"]), "")
-            if item and item in label.rpartition("-")[2]:
-                return fold
-        return folds[-1] if folds else None
 
     def _stub_or_hint(self, candidates):
         """Return the first answer cell of the student edition, or else the first hint."""
@@ -219,21 +236,32 @@ def _add_scripts(app, page, template, context, doctree):
     box = next(iter(doctree.findall(answer_box)), None) if doctree else None
     if box is None:
         return
-    problem = catalogue.of(app.env)[box["page"]]
-    root = posixpath.relpath(".", posixpath.dirname(page))
-    app.add_css_file("answer_boxes/boxes.css")
-    app.add_js_file(
-        "answer_boxes/boxes.js",
-        loading_method="defer",
+    problem = catalogue.of(app.env).get(box["page"])
+    if problem is None:
+        return  # the box of a self-test
+    add_script(
+        app,
+        page,
+        problem.notebook,
         **{
             "data-number": problem.number,
             "data-title": problem.title,
             "data-answers": str(len(problem.answers)),
             "data-version": version_of(_notebook(app, problem)),
-            "data-notebook": f"{root}/{problem.notebook}.js",
-            "data-run": f"{root}/{RUN}/",
             **({} if page == problem.page else {"data-part": "true"}),
         },
+    )
+
+
+def add_script(app, page, notebook, **attributes):
+    """Load the script of the boxes on a page; `notebook` is the path of their notebook."""
+    root = posixpath.relpath(".", posixpath.dirname(page))
+    app.add_css_file("answer_boxes/boxes.css")
+    app.add_js_file(
+        "answer_boxes/boxes.js",
+        loading_method="defer",
+        **attributes,
+        **{"data-notebook": f"{root}/{notebook}.js", "data-run": f"{root}/{RUN}/"},
     )
 
 
@@ -259,7 +287,8 @@ def _note_notebook(app, document):
 
 
 def _open_box(self, node):
-    self.body.append(node["box"].html())
+    if self.config.workbook_engine_found:
+        self.body.append(node["box"].html())
     raise nodes.SkipNode
 
 

@@ -12,7 +12,7 @@ from sphinx.errors import ExtensionError
 
 from workbook.authoring import MasterError
 from workbook.authoring.front_matter import read_front_matter
-from workbook.authoring.study_time import study_time
+from workbook.authoring.study_time import minutes, study_time
 from workbook.notebooks import exercises
 
 PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
@@ -31,6 +31,7 @@ class Problem:
     answers: dict
     hints: dict
     core: tuple = ()
+    varies: bool = False
 
     @property
     def order(self):
@@ -49,6 +50,11 @@ class Problem:
     def notebook(self):
         """Return the path of the student's notebook, in the repository and on the site."""
         return self.page.replace("solutions/", "exercises/", 1) + ".ipynb"
+
+    @property
+    def minutes(self):
+        """Return the estimated minutes for all answers, to five minutes."""
+        return 5 * round(minutes(self.level, len(self.answers)) / 5)
 
     @property
     def study_time(self):
@@ -74,7 +80,14 @@ def read(page, path):
         {name: _answer(answer) for name, answer in about["answers"].items()},
         {name: list(texts) for name, texts in about["hints"].items()},
         tuple(about.get("core", ())),
+        _varies(path.parents[2], page),
     )
+
+
+def _varies(root, page):
+    """Return whether the problem of a page has rows of numbers, which its trials hold."""
+    trials = root / f"{page.replace('exercises/', 'solutions/', 1)}.trials.py"
+    return trials.exists() and "\n# %% numbers" in trials.read_text(encoding="utf-8")
 
 
 def of(env):

@@ -61,7 +61,13 @@ class CheckCases(SphinxDirective):
                 address = f"{home.parent.name}.html#{_anchor(name)}"
                 reference = nodes.reference("", "", code, refuri=address, internal=True)
                 section += nodes.paragraph("", "", reference)
-            section += _table([case for case in module.CASES if case.check == name])
+            rows = [case for case in module.CASES if case.check == name]
+            for words in dict.fromkeys(map(_words, rows)):
+                if words:
+                    section += nodes.paragraph(
+                        "", "With ", nodes.literal("", words), nodes.Text(":")
+                    )
+                section += _table([case for case in rows if _words(case) == words])
         if module.LIMITS:
             section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
             limits = (
@@ -79,6 +85,11 @@ def _paragraphs(docstring):
     data = "; ".join(f"`{name}`: {shape}" for name, _, shape in shapes if shape)
     paragraphs = [" ".join(part.split()) for part in text.strip().split("\n\n")]
     return [*paragraphs, *([f"Data: {data}."] if data else [])]
+
+
+def _words(case):
+    """Return the options of a row that are words: they say what is asked for."""
+    return ", ".join(f'{name}="{x}"' for name, x in case.options if isinstance(x, str))
 
 
 def _anchor(name):
@@ -125,7 +136,8 @@ def _table(cases):
         # a matrix is written on one line
         text = re.sub(r"\[\s+", "[", " ".join(describe(case.answer).split()))
         shown = text if len(text) <= 90 else text[:87] + "..."
-        verdict = f"{MARKS[case.verdict]}\N{NO-BREAK SPACE}{case.verdict}"
+        # data that are refused have no verdict
+        verdict = f"{MARKS.get(case.verdict, '')}\N{NO-BREAK SPACE}{case.verdict}".strip()
         cells = ([nodes.Text(verdict)], [nodes.literal("", shown)], spans(case.note))
         body += nodes.row("", *(nodes.entry("", nodes.paragraph("", "", *cell)) for cell in cells))
     head = nodes.thead(

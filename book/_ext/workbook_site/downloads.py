@@ -22,6 +22,11 @@ from workbook.notebooks import exercises
 from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
 from workbook_site import catalogue
 
+#: In lines to be copied, where the site has no address of its own.
+EXAMPLE_SITE = "https://workbook.example"
+#: The address of a site on GitHub Pages: its owner, its repository and a folder in it.
+GITHUB_PAGES = re.compile(r"https://([\w-]+)\.github\.io(?:/([\w.-]+)((?:/[\w.-]+)*))?/?")
+
 
 class WheelRole(SphinxRole):
     """Links to the wheel that the site serves: {wheel}`the wheel`."""
@@ -87,6 +92,22 @@ def link(page, address, inner):
     )
 
 
+def colab_links(site, notebook):
+    """Return a list with the link that opens a notebook of the site in Colab, if Colab can.
+
+    It opens notebooks by their address only from GitHub, where the branch gh-pages holds a site.
+    """
+    match = GITHUB_PAGES.fullmatch(site)
+    if match is None:
+        return []
+    owner, repository, folder = match.groups(default="")
+    path = "/".join(filter(None, [folder.strip("/"), notebook]))
+    address = "https://colab.research.google.com/github/" + "/".join(
+        [owner, repository or f"{owner}.github.io", "blob", "gh-pages", path]
+    )
+    return [nodes.raw("", f' · <a href="{escape(address)}">Open in Colab</a>', format="html")]
+
+
 def _copy_notebooks(app, exception):
     if exception is not None or app.builder.format != "html":
         return
@@ -144,10 +165,17 @@ def served_notebook(app, problem):
     return notebook
 
 
+def name_own_address(app, page, source):
+    """Write the site's address, if it has one, for that of the example in lines to be copied."""
+    if app.config.html_baseurl:
+        source[0] = source[0].replace(EXAMPLE_SITE, app.config.html_baseurl.rstrip("/"))
+
+
 def setup(app):
     app.add_role("wheel", WheelRole())
     app.add_role("install-wheel", InstallWheelRole())
     app.add_role("page-notebook", PageNotebookRole())
     app.add_directive("built-files", BuiltFilesDirective)
+    app.connect("source-read", name_own_address)
     app.connect("build-finished", _copy_notebooks)
     app.connect("build-finished", _write_page_notebooks)

@@ -9,6 +9,9 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx_exercise.nodes import exercise_node, solution_node
 from sphinx_proof.nodes import unenumerable_node
 
+from workbook.authoring.contract import item_of
+from workbook.checks.contract.check_cells import reported_names
+
 #: The code of these cells is folded, their outputs stay; the other roles (data, check) are shown
 #: whole.
 FOLDED_CODE = {
@@ -64,14 +67,37 @@ class FoldSolutions(SphinxPostTransform):
             title = "Worked solution" + (f", item {item})" if item else "")
             # A link to an element inside a fold opens it, a link to the fold itself does not.
             solution[1]["ids"], solution["ids"] = solution["ids"], []
-            solution.replace_self(
-                details("", summary("", title), *solution.children[1:], classes=["solution"])
-            )
+            fold = details("", summary("", title), classes=["solution"], items=item)
+            fold += solution.children[1:]
+            solution.replace_self(fold)
 
     def _item(self, solution):
         """Return the letters of the items that a solution is of: sol-1-15-a, sol-1-15-ab."""
         last = solution["label"].rpartition("-")[2]
         return last if last.isalpha() else ""
+
+
+def solution_of(name, nodes_before):
+    """Return the fold with the worked solution of an answer, or else the last one; None without any."""
+    folds = [n for n in nodes_before if isinstance(n, details) and "solution" in n["classes"]]
+    item = item_of(name)
+    return next((fold for fold in folds if item and item in fold["items"]), (folds or [None])[-1])
+
+
+class FoldChecks(SphinxPostTransform):
+    """Moves the check of a worked solution into its fold: its verdict is not the reader's."""
+
+    default_priority = 197  # after the boxes, whose place depends on it, are there (195)
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        order = list(self.document.findall(nodes.Element))
+        for k, cell in enumerate(order):
+            if "tag_check" in cell["classes"] and cell.get("nb_element") == "cell_code":
+                (name, *_) = reported_names(next(cell.findall(nodes.literal_block)).astext())
+                if fold := solution_of(name, order[:k]):
+                    cell.parent.remove(cell)
+                    fold += cell
 
 
 class FoldCode(SphinxPostTransform):
@@ -132,3 +158,4 @@ def setup(app):
     app.add_post_transform(UniqueIds)
     app.add_post_transform(FoldSolutions)
     app.add_post_transform(FoldCode)
+    app.add_post_transform(FoldChecks)

@@ -1,5 +1,6 @@
 """The list of all problems and the index by topic, made from the catalogue."""
 
+from html import escape
 from itertools import groupby
 
 from docutils import nodes
@@ -34,9 +35,13 @@ class ProblemList(Listing):
                     [problem for problem in problems if problem.chapter == self.options["chapter"]]
                 )
             ]
+        self.env.metadata[self.env.docname]["problem_filter"] = True
         return [
-            self._chapter(chapter, list(members))
-            for chapter, members in groupby(problems, lambda p: p.chapter)
+            nodes.raw("", _filter_of(problems), format="html"),
+            *(
+                self._chapter(chapter, list(members))
+                for chapter, members in groupby(problems, lambda p: p.chapter)
+            ),
         ]
 
     def _chapter(self, chapter, problems):
@@ -51,15 +56,17 @@ class ProblemList(Listing):
         return section
 
     def _table(self, problems):
-        columns = {"number": 8, "title": 62, "section": 12, "level": 18}
+        columns = {"number": 8, "title": 56, "section": 10, "level": 14, "minutes": 12}
         body = nodes.tbody()
         for problem in problems:
-            row = nodes.row()
+            row = nodes.row(classes=[problem.level, *map(topic_label, problem.topics)])
+            row["classes"] += ["varies"] * problem.varies
             for cell in (
                 self.link(problem, problem.number),
                 self.link(problem, problem.title),
                 nodes.inline("", problem.section),
                 nodes.inline("", "★ starred" if problem.level == "starred" else problem.level),
+                nodes.inline("", str(problem.minutes)),
             ):
                 row += nodes.entry("", nodes.paragraph("", "", cell))
             body += row
@@ -74,6 +81,27 @@ class ProblemList(Listing):
             cols=len(columns),
         )
         return nodes.table("", group, classes=["problem-list"])
+
+
+def _filter_of(problems):
+    """Return the form that narrows the list; the script of it shows it."""
+    topics = sorted({topic for problem in problems for topic in problem.topics}, key=str.casefold)
+    choices = {
+        "level": [("", "all"), *((name, name) for name in ("core", "advanced", "starred"))],
+        "minutes": [("", "any"), *((str(n), f"up to {n}") for n in (30, 45, 60, 90, 120))],
+        "topic": [("", "all"), *((topic_label(topic), topic) for topic in topics)],
+    }
+    selects = "".join(
+        f'<label>{name} <select name="{name}">'
+        + "".join(f'<option value="{value}">{escape(text)}</option>' for value, text in options)
+        + "</select></label>"
+        for name, options in choices.items()
+    )
+    boxes = "".join(
+        f'<label><input type="checkbox" name="{name}"> {text}</label>'
+        for name, text in (("varies", "other numbers exist"), ("open", "not verified here yet"))
+    )
+    return f'<form class="problem-filter" hidden>{selects}{boxes}<output></output></form>'
 
 
 class TopicIndex(Listing):
@@ -114,7 +142,13 @@ def _forget(app, env, page):
     getattr(env, "workbook_listings", set()).discard(page)
 
 
+def _add_script(app, page, template, context, doctree):
+    if app.env.metadata.get(page, {}).get("problem_filter"):
+        app.add_js_file("problem_filter.js", loading_method="defer")
+
+
 def setup(app):
     app.connect("env-purge-doc", _forget)
+    app.connect("html-page-context", _add_script)
     app.add_directive("problem-list", ProblemList)
     app.add_directive("topic-index", TopicIndex)

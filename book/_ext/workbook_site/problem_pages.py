@@ -22,7 +22,7 @@ from workbook.authoring.plain_markdown import SENTENCE_END
 from workbook.authoring.student_notebook import core_text
 from workbook.notebooks import exercises
 from workbook_site import catalogue
-from workbook_site.downloads import link
+from workbook_site.downloads import colab_links, link
 from workbook_site.folding import details, summary
 
 logger = logging.getLogger(__name__)
@@ -53,15 +53,10 @@ def _student_page(source, head):
     """Return the notebook as a page: the head first, without the notebook's own two headings."""
     notebook = json.loads(source)
     notebook["cells"] = [
-        cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["setup"]
+        cell
+        for cell in notebook["cells"]
+        if cell["metadata"].get("tags") not in (["setup"], ["steps"])
     ]
-    for cell in notebook["cells"]:
-        cell["metadata"]["places"] = [
-            (text, path)
-            for text, path in cell["metadata"].get("places", ())
-            # the wheel is no page: the student's guide links to it
-            if not path.startswith("wheels/")
-        ]
     notebook = exercises.add_links(notebook, _link_target)
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
@@ -96,6 +91,7 @@ class ProblemHead(SphinxDirective):
             "",
             "",
             link(problem.page, problem.notebook, "Student’s notebook"),
+            *colab_links(self.config.html_baseurl, problem.notebook),
             classes=["problem-notebook"],
         )
         index = addnodes.index(

@@ -17,6 +17,7 @@ from sphinx.util.docutils import SphinxDirective
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import PACKAGES
 from workbook_site import catalogue
+from workbook_site.errata import is_cut
 from workbook_site.problem_pages import to_label, to_page
 
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
@@ -128,7 +129,11 @@ def _code_of(path):
 def _find_uses(app, env, added, changed, removed):
     """Find all uses before any page is read; return the library pages whose uses changed."""
     modules = [module_of(page) for page in sorted(env.found_docs) if page.startswith(PAGES)]
-    pages = [page for page in env.found_docs if THEORY.fullmatch(page) or page in catalogue.of(env)]
+    pages = [
+        page
+        for page in env.found_docs
+        if page in catalogue.of(env) or (THEORY.fullmatch(page) and not is_cut(env, page))
+    ]
     found = {(module, name): [] for module in modules for name in public_names(module)}
     for page in sorted(pages, key=_order):
         for used in uses(_code_of(Path(env.doc2path(page)))) & found.keys():

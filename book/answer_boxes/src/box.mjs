@@ -10,6 +10,7 @@ export class Box {
     this.element = element;
     this.page = page;
     this.check = element.dataset.check;
+    this.counts = !("uncounted" in element.dataset);
     this.fields = [...element.querySelectorAll("textarea")].map(
       (textarea) =>
         new Field(textarea, {
@@ -31,7 +32,7 @@ export class Box {
     const fields = make("div", { className: "answer-fields highlight" }, ...this.element.children);
     // shortcuts of the site, such as / for the search, are not for those who write here
     fields.addEventListener("keydown", (event) => event.ctrlKey || event.metaKey || event.stopPropagation());
-    const label = this.fields.length > 1 ? "Your answers" : "Your answer";
+    const label = !this.counts ? "Your steps" : this.fields.length > 1 ? "Your answers" : "Your answer";
     this.bar = make("div", { className: "answer-bar" }, this.runButton, this.stopButton, this.state);
     this.element.append(
       make("p", { className: "answer-label", ariaHidden: "true" }, label),
@@ -82,7 +83,8 @@ export class Box {
       };
     });
     try {
-      await Promise.race([this.page.startPython(this), stopped]);
+      // with all loaded, nothing comes between the last look for a stop and the run
+      await Promise.race([Promise.all([this.page.startPython(this), this.page.notebook()]), stopped]);
       this.say("running …");
       const began = performance.now();
       const { result, error } = await this.runCells();
@@ -100,7 +102,7 @@ export class Box {
     const names = this.page.namesUpTo(this);
     const { cells, check } = cellsOfRun(await this.page.notebook(), this.page.names, this.page.answers(), this.check, names);
     this.cells = cells;
-    return python.runCell(cells.map((cell) => cell.source), check);
+    return python.runCell(cells, check);
   }
 
   setRunning(isRunning) {
@@ -121,21 +123,25 @@ export class Box {
     this.live.textContent = message;
   }
 
-  show({ printed, errors, verdicts, html, text }) {
+  show({ printed, read, errors, verdicts, html, text }) {
     const isOwn = ({ name }) => this.fields.some((field) => field.name === name);
-    const texts = printed.filter((_, k) => isOwn(this.cells[k])).join("");
+    const own = (texts) => texts.filter((_, k) => isOwn(this.cells[k]));
+    const codes = own(read).filter(Boolean);
+    if (codes.length) this.output.append(make("div", { className: "answer-read" }, "Read as:", make("pre", {}, codes.join("\n"))));
+    const texts = own(printed).join("");
     if (texts) this.output.append(make("pre", { className: "answer-printed" }, texts));
-    const statuses = Object.values(verdicts); // none if the check cell itself failed
-    const isRight = statuses.length > 0 && statuses.every((status) => status === "right");
-    const messages = errors
-      .map((error) => ({ ...error, source: this.cells[error.cell] ?? { name: "check cell" } }))
-      .filter(({ source }) => !isRight || isOwn(source))
+    const sourced = errors.map((error) => ({ ...error, source: this.cells[error.cell] ?? { name: "check cell" } }));
+    const isAnswer = ({ source }) => this.page.fields.some((field) => field.name === source.name);
+    // what an error above leads to here is an error here: a name without a value
+    const needsAbove = sourced.some(({ source, text: message }) => isOwn(source) && message.startsWith("NameError"));
+    const messages = sourced
+      .filter((error) => isOwn(error.source) || !isAnswer(error) || needsAbove)
       .map((error) => this.showError(error, isOwn(error.source)));
     const report = make("div");
     report.innerHTML = html; // by workbook.page, which escapes what a student wrote
     this.output.append(report);
-    this.live.textContent = [...messages, text].join("\n");
-    this.page.noteVerdicts(verdicts);
+    this.live.textContent = [...codes.map((code) => `Read as: ${code}`), ...messages, text].join("\n");
+    if (this.counts) this.page.noteVerdicts(verdicts);
   }
 
   /** Show where a cell failed, and for one of this box what to write instead; return the same as text. */

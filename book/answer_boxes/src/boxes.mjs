@@ -16,9 +16,10 @@ class Page {
     this.boxes = elements.map((element) => new Box(element, this));
     this.fields = this.boxes.flatMap((box) => box.fields);
     this.names = Object.fromEntries(this.fields.map((field) => [field.cell, field.name]));
+    this.renamed = Object.fromEntries(this.fields.filter(({ former }) => former).map(({ former, name }) => [former, name]));
     this.panel = settings.part ? null : new AnswersPanel(this, elements.at(-1));
     this.question = new Question();
-    const adopted = store.adoptEarlierAnswers(settings.number, settings.version);
+    const adopted = store.adoptEarlierAnswers(settings.number, settings.version, this.renamed);
     this.setAnswers(store.readAnswers(settings.number, settings.version));
     if (adopted) this.panel?.say("They were typed for an earlier version of this problem: check them again.");
     this.panel?.count();
@@ -41,6 +42,7 @@ class Page {
     const { [field.name]: _, ...answers } = store.readAnswers(settings.number, settings.version);
     if (field.isTyped) answers[field.name] = field.text;
     store.writeAnswers(settings.number, settings.version, answers);
+    this.panel?.count();
   }
 
   noteVerdicts(verdicts) {
@@ -69,7 +71,7 @@ class Page {
   }
 
   async openNotebook(file) {
-    this.setAnswers(answersOf(await file.text(), file.name, { ...settings, names: this.names }));
+    this.setAnswers(answersOf(await file.text(), file.name, { ...settings, names: this.names, renamed: this.renamed }));
   }
 
   // Editor and Python -----------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ export class Field {
   constructor(textarea, { onChange, onRun, onFocus }) {
     this.textarea = textarea;
     this.name = textarea.dataset.name;
+    this.former = textarea.dataset.former;
     this.cell = textarea.dataset.cell;
     this.stub = textarea.defaultValue;
     this.events = { onChange: () => onChange(this), onRun };

@@ -2,7 +2,7 @@
 
 const lines = (source) => (Array.isArray(source) ? source.join("") : source);
 const role = (cell) =>
-  (cell.metadata?.tags ?? []).find((tag) => ["setup", "data", "answer", "check"].includes(tag)) ?? "";
+  (cell.metadata?.tags ?? []).find((tag) => ["setup", "data", "answer", "check", "steps"].includes(tag)) ?? "";
 const assigned = (source) => new Set([...source.matchAll(/^([A-Za-z_]\w*)[ \t]*=(?!=)/gm)].map((match) => match[1]));
 
 /** A copy of the notebook whose answer cells hold `answers`, {name: code}; all else is as it was. */
@@ -29,7 +29,7 @@ export function cellsOfRun(notebook, names, answers, checkId, boxNames) {
 export const isStub = (source) => /^[A-Za-z_]\w*\s*=\s*\.\.\.$/.test(source.replace(/#.*/g, "").trim());
 
 /** The answers of a notebook file, {name: code}, without untouched stubs; an Error says why a file is refused. */
-export function answersOf(text, file, { number, title, names }) {
+export function answersOf(text, file, { number, title, names, renamed }) {
   let notebook;
   try {
     notebook = JSON.parse(text.replace(/^\uFEFF/, ""));
@@ -41,19 +41,20 @@ export function answersOf(text, file, { number, title, names }) {
   if (about.number !== number) {
     throw new Error(`${file} is the notebook of problem ${about.number}, ${about.title}. This page is problem ${number}, ${title}.`);
   }
-  return collect(notebook.cells.filter((cell) => cell.cell_type === "code"), names);
+  return collect(notebook.cells.filter((cell) => cell.cell_type === "code"), names, renamed);
 }
 
 /* A student may move and split cells and add some: a cell belongs to the answer that it assigns or whose cell it was, else
    to the answer above it, or to the first one below where there is none above. */
-function collect(cells, names) {
+function collect(cells, names, renamed) {
   const answers = {};
   let last = null;
   let waiting = [];
   for (const cell of cells) {
     const source = lines(cell.source).trim();
-    if (!source || ["setup", "data", "check"].includes(role(cell)) || isStub(source)) continue;
-    const targets = assigned(source);
+    const targets = new Set([...assigned(source)].map((target) => renamed[target] ?? target));
+    const isCheckOfSteps = role(cell) === "steps" && !targets.size;
+    if (!source || ["setup", "data", "check"].includes(role(cell)) || isCheckOfSteps || isStub(source)) continue;
     const name = Object.values(names).find((candidate) => targets.has(candidate)) ?? names[cell.id] ?? last;
     if (name === null) waiting.push(source);
     else {

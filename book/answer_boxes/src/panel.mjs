@@ -8,13 +8,14 @@ export class AnswersPanel {
   constructor(page, lastBox) {
     this.page = page;
     this.message = make("span", { role: "status" });
+    this.kept = make("span");
     this.verified = make("span");
     const file = make("input", { type: "file", accept: ".ipynb", hidden: true, onchange: () => this.open(file) });
-    lastBox.after(
+    (lastBox.closest("details.steps") ?? lastBox).after(
       make(
         "section",
         { className: "answers-panel", ariaLabel: "Your answers" },
-        make("p", {}, "Your answers are kept in this browser. ", this.verified, this.message),
+        make("p", {}, this.kept, this.verified, this.message),
         make(
           "p",
           { className: "answer-bar" },
@@ -31,8 +32,11 @@ export class AnswersPanel {
     this.message.replaceChildren(text, ...more);
   }
 
-  /** Say how many answers were found right. */
+  /** Say whether answers are kept, and how many were found right. */
   count() {
+    this.kept.textContent = store.isRefused
+      ? "This browser does not keep your answers: download them as a notebook. "
+      : "Your answers are kept in this browser. ";
     const { number, version } = settings;
     const verified = store.readVerified()[number];
     const right = verified?.version === version ? verified.right.length : 0;

@@ -18,6 +18,6 @@ function mark(link) {
   link.after(" ", make("span", { className: "problem-verified", title: words, role: "img", ariaLabel: words }, sign));
 }
 
-document.querySelectorAll("table.problem-list td:first-child a, dl.topics li a").forEach(mark);
+document.querySelectorAll("table.problem-list td:first-child a, table.route td a, dl.topics li a").forEach(mark);
 const list = document.querySelector(".problem-verified")?.closest(".pst-scrollable-table-container, table, dl");
 list?.before(make("p", { className: "verified-note" }, NOTE));

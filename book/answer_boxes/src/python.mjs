@@ -30,9 +30,10 @@ export async function start(onProgress) {
   await (await engine()).start({ base: new URL(settings.run, location.href).href, onProgress });
 }
 
-/** Run the cells of a box and its check: {result, error} as `workbook.page.run_cell` and the engine return them. */
+/** Run the cells of a box, [{name, source}], and its check: {result, error} as `workbook.page.run_cell` and the engine return
+    them. */
 export async function runCell(cells, check) {
-  return (await engine()).runCell(cells, check, "", LIMIT);
+  return (await engine()).runCell(cells.map(({ source }) => source), check, "", LIMIT, cells.map(({ name }) => name ?? ""));
 }
 
 export const stop = () => window.workbookEngine?.stop();

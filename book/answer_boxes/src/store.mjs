@@ -1,7 +1,11 @@
-/* What this browser keeps: typed answers, verified answers, and the consent to load Python. A browser that keeps nothing
-   (a private window, a full store) changes no more than that. */
+/* What this browser keeps: typed answers, verified answers, and the consent to load Python. In a browser that keeps nothing
+   (storage refused, a full store) the answers stay in the page, which says so. */
 
 const PREFIX = "workbook/";
+const CONSENT = "workbook: Python may be loaded";
+
+/** Whether this browser has refused to keep something. */
+export let isRefused = false;
 
 function read(key) {
   try {
@@ -16,12 +20,17 @@ function write(key, value) {
     if (value === null) localStorage.removeItem(PREFIX + key);
     else localStorage.setItem(PREFIX + key, JSON.stringify(value));
   } catch {
-    // the answers stay in the page
+    isRefused = true;
   }
 }
 
-export const hasConsent = () => read("python") === true;
-export const rememberConsent = () => write("python", true);
+// without a store the name of the tab remembers, so that the next page does not ask again
+export const hasConsent = () => read("python") === true || window.name === CONSENT;
+
+export function rememberConsent() {
+  write("python", true);
+  if (isRefused) window.name = CONSENT;
+}
 
 const answersKey = (number, version) => `answers/${number}/${version}`;
 
@@ -32,8 +41,9 @@ export function writeAnswers(number, version, answers) {
   write(answersKey(number, version), Object.keys(answers).length ? answers : null);
 }
 
-/** Move answers typed for an earlier version of a problem to this one; return whether there were any. */
-export function adoptEarlierAnswers(number, version) {
+/** Move answers typed for an earlier version of a problem to this one, with `renamed`, {former name: name}; return whether there
+    were any. */
+export function adoptEarlierAnswers(number, version, renamed) {
   const current = PREFIX + answersKey(number, version);
   let keys = [];
   try {
@@ -42,7 +52,8 @@ export function adoptEarlierAnswers(number, version) {
     // nothing is kept here
   }
   if (!keys.length || keys.includes(current)) return false;
-  writeAnswers(number, version, Object.assign({}, ...keys.map((key) => read(key.slice(PREFIX.length)))));
+  const earlier = Object.assign({}, ...keys.map((key) => read(key.slice(PREFIX.length))));
+  writeAnswers(number, version, Object.fromEntries(Object.entries(earlier).map(([name, code]) => [renamed[name] ?? name, code])));
   for (const key of keys) write(key.slice(PREFIX.length), null);
   return true;
 }

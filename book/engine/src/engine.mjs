@@ -61,8 +61,8 @@ async function execute(code, seconds) {
 }
 
 // Run the cells above a check and the check itself: `workbook.page.run_cell`.
-function runCell(cells, check, problem = "", seconds = SECONDS) {
-  const text = JSON.stringify(JSON.stringify([cells, check, problem]));
+function runCell(cells, check, problem = "", seconds = SECONDS, names = []) {
+  const text = JSON.stringify(JSON.stringify([cells, check, problem, names]));
   return run(`import json\nfrom workbook.page import run_cell\nresult = run_cell(*json.loads(${text}))`, seconds);
 }
 
@@ -77,5 +77,13 @@ function restart(ended, reason) {
   ended.end(reason);
   session = new Session(parts);
 }
+
+// A browser keeps pages that were left, to show them again at once. It is not to keep their Python: that ends, and a
+// page that comes back starts it anew.
+addEventListener("pagehide", () => {
+  if (!session) return; // what is being loaded goes on with the page
+  session.end(STOPPED);
+  starting = parts = session = null;
+});
 
 window.workbookEngine = { size, start, run, runCell, snapshot, stop };
