@@ -7,7 +7,6 @@ BIN := $(VENV)/bin
 # The environment is ready when this file is newer than what it is made from.
 INSTALLED ?= $(VENV)/.installed
 PYTEST := $(BIN)/python -m pytest
-SPHINX_FLAGS := -n -W --keep-going
 # `make book PAGE=no` builds the pages without answer boxes, which need 80 MB.
 PAGE ?= yes
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
@@ -15,29 +14,18 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs mistakes page serve pdf bundle test test-quick test-page test-pdf test-problem \
-  test-units clean
+.PHONY: help book book-student outputs mistakes page wheels serve pdf bundle release test test-quick test-page test-pdf test-problem \
+  test-units test-sandboxes clean
 
 help:  ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-15s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-# Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
-book: outputs mistakes page _build/wheels  ## execute what is stale and build the site in _build/html
-	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
-	@cd _build && rm -rf html/wheels html/run html/pdf html/bundle && cp -R wheels $$(ls -d run pdf bundle 2>/dev/null) html
+# On Windows `py book\build.py` takes these steps.
+book: outputs mistakes page wheels  ## execute what is stale and build the site in _build/html
+	$(BIN)/python book/build.py site
 
-# The tables of the checks stay out, they hold right answers, and so do the lectures, which work problems out.
-# By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
-book-student: outputs page _build/wheels  ## build the edition without solutions in _build/student/html
-	@mkdir -p _build/student
-	@sed 's|solutions/|exercises/|; \|file: book/guides/cases|,\|glob: book/guides/cases|d; \|book/downloads|d; \|file: book/lectures|,\|glob: book/lectures|d' \
-	  _toc.yml > _build/student/_toc.yml
-	@$(BIN)/jupyter-book config sphinx . >/dev/null
-	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
-	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \
-	  { rm -rf _build/student/.doctrees; exit 1; }
-	@rm -rf _build/student/html/wheels _build/student/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/student/html
-	@echo "The student edition is in _build/student/html"
+book-student: outputs page wheels  ## build the edition without solutions in _build/student/html
+	$(BIN)/python book/build.py student
 
 outputs: $(INSTALLED)
 	$(BIN)/python book/build.py outputs
@@ -59,6 +47,9 @@ bundle: book  ## pack the site with notebooks and wheels for a memory stick, in 
 	@rm -rf _build/bundle _build/html/bundle && mkdir _build/bundle
 	cd _build/html && $(abspath $(BIN))/python -m zipfile -c ../bundle/controlled-motion.zip *
 	@$(MAKE) --no-print-directory book
+
+release: $(INSTALLED)  ## make all that is published from a fresh clone, in _build/release; list it
+	$(BIN)/python book/release.py
 
 serve:  ## show the built site at http://127.0.0.1:8000
 	@test -f _build/html/index.html || { echo "There is no site yet: run make book first." >&2; exit 1; }
@@ -99,12 +90,14 @@ test-lectures: $(INSTALLED)  ## play every lecture to the end, as slides and in 
 test-units: $(INSTALLED)  ## all problems of optimal control in other units and from other origins
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n $(CORES) tests/library/test_pontryagin_units.py tests/problems/test_rescaling.py
 
+test-sandboxes: $(INSTALLED)  ## all attacks in WebAssembly, and a large class in both sandboxes
+	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/grading/test_wasm.py tests/grading/hostile/test_hostile.py -k "wasm"
+
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py
 
-_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb' -o -path '*explorer/static/*')
-	@rm -rf $@
-	$(BIN)/pip wheel --quiet --no-deps --wheel-dir $@ .
+wheels: $(INSTALLED)
+	$(BIN)/python book/build.py wheels
 
 $(VENV)/.installed: requirements.txt pyproject.toml
 	@test -n "$(PYTHON)" || { echo "Python 3.11, 3.12, 3.13 or 3.14 is needed and none was found (make PYTHON=... names one)." >&2; exit 1; }

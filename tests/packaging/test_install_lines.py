@@ -19,10 +19,12 @@ DOCUMENTS = [
 #: A line as the documents have it, and the name of the test below that runs it.
 TRIED = {
     "-e .": "test_the_library_alone",
-    '-e ".[workbook]"': "test_a_student_without_a_checkout",
-    '"trajlib-0.2.0-py3-none-any.whl[workbook]"': "test_a_student_without_a_checkout",
+    '-e ".[workbook]"': "test_a_class_without_a_checkout",
+    '"trajlib-0.2.0-py3-none-any.whl[workbook]"': "test_a_class_without_a_checkout",
+    '"trajlib-0.2.0-py3-none-any.whl[wasm]"': "test_a_class_without_a_checkout",
     '-e ".[live]"': "test_a_checkout_with_lectures",
     '-e ".[cluster]"': "test_a_checkout_for_a_cluster",
+    '"trajlib[workbook] @ https': "test_install_guide.py",
 }
 COURSE = ("z3", "typer", "rich", "yaml", "flint", "ipywidgets", "distributed", "jupytext")
 DOCTESTS = """
@@ -84,11 +86,14 @@ def test_every_documented_line_is_tried():
         line
         for path in DOCUMENTS
         for line in re.findall(
-            r"pip install ((?:-e )?\"?[.\w-]+(?:\[[\w,]+\])?\"?)", path.read_text(encoding="utf-8")
+            r"pip install ((?:-e )?\"?[.\w-]+(?:\[[\w,]+\])?\"?(?: @ https)?)",
+            path.read_text(encoding="utf-8"),
         )
         if "trajlib" in line or line.startswith("-e")
     }
-    assert found - {"trajlib"} <= set(TRIED) and all(name in globals() for name in TRIED.values())
+    assert found - {"trajlib"} <= set(TRIED)
+    beside = {path.name for path in Path(__file__).parent.iterdir()}
+    assert all(name in globals() or name in beside for name in TRIED.values())
 
 
 def test_the_library_alone(tmp_path, checkout):
@@ -103,7 +108,8 @@ def test_the_library_alone(tmp_path, checkout):
     assert "trajlib[workbook]" in missing and missing.count("\n") == 1
 
 
-def test_a_student_without_a_checkout(tmp_path):
+@pytest.mark.timeout(1800)  # Python may have to be compiled to WebAssembly
+def test_a_class_without_a_checkout(tmp_path):
     subprocess.run(
         [
             sys.executable,
@@ -129,6 +135,17 @@ def test_a_student_without_a_checkout(tmp_path):
             cell["source"] = "".join(cell["source"]).replace(f"{name} = ...", f"{name} = {answer}")
     path.write_text(json.dumps(notebook), encoding="utf-8")
     assert "5 of 5 right" in environment.run("workbook", "check", path, cwd=tmp_path).stdout
+    assert "Evening 4" in environment.run("workbook", "route", "engineer", cwd=tmp_path).stdout
+
+    handed_in = tmp_path / "submitted" / "ada" / "hw1"
+    handed_in.mkdir(parents=True)
+    shutil.copy(path, handed_in)
+    grade = ["workbook", "grade", "submitted", "--out", "graded", "--sandbox", "wasm"]
+    refused = environment.run(*grade, cwd=tmp_path, code=2).stderr
+    assert "trajlib[wasm]" in refused and refused.count("\n") == 1
+    environment.run("pip", "install", "--quiet", f"{wheel.name}[wasm]", cwd=tmp_path, timeout=600)
+    environment.run(*grade, cwd=tmp_path, timeout=1500)
+    assert '"5.00"' in (tmp_path / "graded" / "hw1" / "grades.csv").read_text("utf-8-sig")
 
 
 def test_a_checkout_with_lectures(tmp_path, checkout):

@@ -11,6 +11,19 @@ for package in (trajlib, workbook.checks):
     for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
         importlib.import_module(module.name)
 """
+STATE = """
+import sys
+sys.modules["casadi"] = None
+import sympy as sp
+from trajlib.pontryagin import Problem
+
+x, v, u = sp.symbols("x v u")
+cart = {x: v, v: u}
+problem = Problem(cart, {u: (-1, 1)}, {x: 0, v: 0}, {x: 3, v: 0}, path=[v <= 1])
+print(problem.conditions().hamiltonian, problem.conditions().path[0].order)
+problem._repr_markdown_()
+print("trajlib.pontryagin.indirect" in sys.modules, "trajlib.pontryagin.planar_synthesis" in sys.modules)
+"""
 JUDGE = """
 import sys
 sys.modules["casadi"] = None
@@ -34,6 +47,10 @@ def shown(code):
 
 def test_all_modules_load():
     assert shown(IMPORTS) == ""
+
+
+def test_problems_are_stated_and_their_conditions_derived():
+    assert shown(STATE) == "-lambda0 + psi1*v + psi2*u 1\nFalse False\n"
 
 
 def test_a_check_that_needs_it_says_where_it_runs():
