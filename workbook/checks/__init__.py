@@ -18,6 +18,7 @@ _present, __dir__, __all__ = lazy_names(
         "contract.direction": ["hide_direction"],
         "contract.kept": ["kept_for_grading"],
         "contract.verdict": ["Unusable", "Verdict", "judged"],
+        "algebra.same": ["same_expression", "same_matrix", "same_value"],
         "algebra.steps": ["steps"],
         "stability.regions": ["stability_region"],
         "stability.equilibria": ["equilibria", "nullcline"],

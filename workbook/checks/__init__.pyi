@@ -900,6 +900,15 @@ def riccati_equation(claim: Any, process: Any, covariance: Any, parameters: Any 
 def saddle_slopes(answer: Any, field: Any, state: Any) -> Verdict:
     """Check the slopes of the motions through the saddles of a second-order equation."""
 
+def same_expression(claim: Any, reference: Any, parameters: Any = ..., given: Any = ...) -> Verdict:
+    """Check an expression against the expression that is its reference."""
+
+def same_matrix(claim: Any, reference: Any, parameters: Any = ..., given: Any = ...) -> Verdict:
+    """Check a matrix against the matrix that is its reference, entry by entry."""
+
+def same_value(claim: Any, reference: Any) -> Verdict:
+    """Check a real number against the number that is its reference."""
+
 def scalar_equation(
     answer: Any,
     system: Any,

@@ -81,7 +81,9 @@ class CheckCases(SphinxDirective):
 def _paragraphs(docstring):
     """Return the paragraphs of a check's docstring, the parameters after the answer as the last."""
     text, _, parameters = docstring.partition("    Parameters\n")
-    shapes = (line.strip().partition(" : ") for line in parameters.splitlines()[2:])
+    shapes = (
+        line.strip().partition(" : ") for line in parameters.partition("\n\n")[0].splitlines()[2:]
+    )
     data = "; ".join(f"`{name}`: {shape}" for name, _, shape in shapes if shape)
     paragraphs = [" ".join(part.split()) for part in text.strip().split("\n\n")]
     return [*paragraphs, *([f"Data: {data}."] if data else [])]

@@ -14,7 +14,11 @@ COMMON = {
     "parameter": "symbol",
 }
 SHAPES = {
-    "algebra": {},
+    "algebra": COMMON
+    | {
+        "given": "condition, or list of them",
+        "reference": "number, expression, or matrix, exact or with all its digits",
+    },
     "stability": COMMON
     | {
         "angle": "symbol",
@@ -195,10 +199,12 @@ def descriptions_of(module, kinds):
 
 
 def with_shapes(docstring, descriptions, names):
-    """Return the docstring of a check, extended by the section of its parameters."""
+    """Return the docstring of a check with the section of its parameters, before its examples."""
     if not docstring:
         return docstring
     answer, *data = names
     lines = [f"{name} : {descriptions[name]}" if name in descriptions else name for name in data]
     section = ["Parameters", "----------", f"{answer} : the student's answer", *lines]
-    return "\n".join([docstring.rstrip(), "", *(f"    {line}" for line in section), "    "])
+    text, heading, examples = docstring.rstrip().partition("    Examples\n    ----")
+    parts = [text.rstrip(), "", *(f"    {line}" for line in section), ""]
+    return "\n".join([*parts, heading + examples, "    "] if heading else [*parts[:-1], "    "])
