@@ -10,7 +10,7 @@ from case import CHECKS, REFUSED, check_named
 
 from workbook.checks.contract.data_kinds import RECORDS
 from workbook.checks.contract.few_numbers import MOST_NUMBERS, numbers_in
-from workbook.checks.contract.shapes import COMMON, SHAPES
+from workbook.checks.contract.shapes import COMMON, LIST_OR_RANGES, SHAPES
 from workbook.checks.contract.verdict import UnsuitableData
 
 TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
@@ -74,9 +74,10 @@ def test_every_check_of_a_theme_documents_the_shapes_of_its_data(theme):
         if check.__module__.split(".")[-2] == theme:
             names = list(inspect.signature(check).parameters)[1:]
             lines = dict(line.strip().partition(" : ")[::2] for line in check.__doc__.splitlines())
-            # a check may take other records than most of its theme
+            # a check may take other records, or parameters in another form, than most of its theme
             assert all(
                 lines[argument] == shapes[argument]
+                or lines[argument] in (COMMON["parameters"], LIST_OR_RANGES)
                 or any(record in lines[argument] for record in RECORDS)
                 for argument in names
             ), name

@@ -76,8 +76,17 @@ def _unsuitable_dict(datum, description):
             return got
         of_sets = all(isinstance(value, sp.Set) for value in datum.values())
         return "" if "to intervals" not in description or of_sets else f"{got} to other values"
-    only_dict = description.startswith("dict") and " or " not in description
-    return got if only_dict and datum is not None else ""
+    if datum is None or not description.startswith("dict"):
+        return ""
+    example = ", ".join(f"{name}: sp.Interval(1, 2)" for name in _symbols(datum))
+    return got + (f"; write {{{example}}}" if example and "to intervals" in description else "")
+
+
+def _symbols(datum):
+    """Return the symbols of a list of them."""
+    return (
+        [x for x in datum if isinstance(x, sp.Symbol)] if isinstance(datum, (list, tuple)) else []
+    )
 
 
 @functools.cache

@@ -13,6 +13,9 @@ COMMON = {
     "parameters": "list of symbols",
     "parameter": "symbol",
 }
+RANGES = "dict from symbols to intervals or finite sets"
+#: Of checks that find a range themselves where there is none.
+LIST_OR_RANGES = f"{COMMON['parameters']}, or {RANGES}"
 SHAPES = {
     "algebra": COMMON
     | {
@@ -125,7 +128,7 @@ SHAPES = {
         "ends": "list of two expressions of the variable",
         "functional": "Functional",
         "law": "expression of the time and of constants",
-        "parameters": "list of symbols, or dict from them to intervals or finite sets",
+        "parameters": RANGES,
         "problem": "pontryagin.Problem with one control",
         "quantity": "expression of the state",
         "start": "condition on the state, or symbol of the parameter that a control begins with",

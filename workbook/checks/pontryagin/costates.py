@@ -7,11 +7,13 @@ They are judged by the conditions of the maximum principle with lambda_0 = 1. `p
 import numpy as np
 
 from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.changes_compared import (
     jumps_between_formulas,
     processes_between_changes,
 )
+from workbook.checks.pontryagin.parameter_ranges import with_ranges
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
@@ -29,12 +31,14 @@ VANISHING = 1e-6
 @judged(
     Costates("time", "parameters", problem="problem"),
     problem="pontryagin.Problem with one control, its duration also an interval",
+    parameters=LIST_OR_RANGES,
 )
 def optimal_costate(claims, problem, time, parameters=None):
     """Check costates along the optimal process with lambda_0 = 1.
 
     They are a list in the order of the states, or one expression.
     """
+    parameters = with_ranges(problem, parameters)
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):

@@ -4,7 +4,9 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
+from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.pontryagin.parameter_ranges import with_ranges
 from workbook.checks.references.optima.best_processes import best_processes
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import left_open
@@ -15,13 +17,14 @@ from workbook.checks.tools.wording import rounded_text, tried_text
 SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 
-@judged
+@judged(parameters=LIST_OR_RANGES)
 def duration_equation(answer, problem, duration, parameters):
     """Check an equation whose least positive root is the shortest duration.
 
     In it `duration` is the symbol of the duration; `parameters` is a dict from the other
     symbols to intervals.
     """
+    parameters = with_ranges(problem, parameters)
     symbols = [duration, *parameters]
     sides = answer.args if isinstance(answer, sp.Eq) else (answer, sp.S.Zero)
     left, right = (coercion.as_expression(side, symbols) for side in sides)

@@ -15,6 +15,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Number, YesNo
 from workbook.checks.contract.direction import directed
+from workbook.checks.contract.shapes import COMMON
 from workbook.checks.contract.tolerance import (
     agree,
     in_decimals,
@@ -52,7 +53,7 @@ class OfMotion(Expression):
         return self.coerce(answer, [data["functional"].time, *data["parameters"]])
 
 
-@judged(OfMotion())
+@judged(OfMotion(), parameters=COMMON["parameters"])
 def extremum_motion(claim, functional, parameters=()):
     """Check the motion x(t) on which a functional is least, or greatest.
 
@@ -77,7 +78,7 @@ def extremum_motion(claim, functional, parameters=()):
     )
 
 
-@judged(Expression("parameters"))
+@judged(Expression("parameters"), parameters=COMMON["parameters"])
 def extremum_value(claim, functional, parameters=()):
     """Check the least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):

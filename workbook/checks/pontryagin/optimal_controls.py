@@ -10,8 +10,10 @@ admissible, to keep to the ends, and to cost no more than the optimum that was f
 import numpy as np
 
 from workbook.checks.contract.direction import directed
+from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.changes_compared import LOCATED
+from workbook.checks.pontryagin.parameter_ranges import with_ranges
 from workbook.checks.pontryagin.simulation import (
     AT_OWN_END,
     Path,
@@ -50,12 +52,14 @@ TIMED = 0.05
 @judged(
     Control("time", "parameters", time="time"),
     problem="pontryagin.Problem with one control, its duration also an interval",
+    parameters=LIST_OR_RANGES,
 )
 def optimal_control(claim, problem, time, parameters=None):
     """Check the control of an optimal process.
 
     It is an expression in time and parameters, or a list of arcs [value, until].
     """
+    parameters = with_ranges(problem, parameters)
     steering = Steering(claim, time, parameters)
     start_text = (
         ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""

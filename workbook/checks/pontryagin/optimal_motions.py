@@ -5,11 +5,13 @@ The data are those of `optimal_controls`.
 
 import numpy as np
 
+from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.changes_compared import (
     jumps_between_formulas,
     processes_between_changes,
 )
+from workbook.checks.pontryagin.parameter_ranges import with_ranges
 from workbook.checks.pontryagin.simulation import (
     point_text,
     require_end_conditions,
@@ -36,12 +38,14 @@ PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 @judged(
     Motion("time", "parameters", problem="problem", time="time"),
     problem="pontryagin.Problem with one control, its duration also an interval",
+    parameters=LIST_OR_RANGES,
 )
 def optimal_motion(claims, problem, time, parameters=None):
     """Check an optimal motion, all states as functions of time and parameters.
 
     The first state suffices if the others are its derivatives.
     """
+    parameters = with_ranges(problem, parameters)
     motion, has_initial_value = (
         InTime(claims, time, parameters),
         ~np.array(free_at_the_start(problem, parameters)),

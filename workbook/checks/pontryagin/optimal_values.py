@@ -11,9 +11,11 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.direction import directed
+from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.optimal_controls import ARC_ACCURACY, CONTROL_ACCURACY, MISSED_ARC
+from workbook.checks.pontryagin.parameter_ranges import with_ranges
 from workbook.checks.pontryagin.simulation import (
     COSTS,
     point_text,
@@ -55,6 +57,7 @@ RANGE_ACCURACY = 5e-4
 @judged(
     Expression("parameters"),
     problem="pontryagin.Problem with one control, its duration also an interval",
+    parameters=LIST_OR_RANGES,
 )
 def optimal_cost(claim, problem, parameters=None):
     """Check the cost of the optimal process, as an expression in the parameters.
@@ -62,6 +65,7 @@ def optimal_cost(claim, problem, parameters=None):
     Where these are the initial state and the duration is free, the remaining part of a process is
     optimal too: the cost is compared at its states as well.
     """
+    parameters = with_ranges(problem, parameters)
     better = "greater" if problem.maximise else "less"
     starts = list(problem.initial.values())
     for_all_starts = (
@@ -201,9 +205,14 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
         )
 
 
-@judged(Expression("parameters"), problem="pontryagin.Problem with any number of controls")
+@judged(
+    Expression("parameters"),
+    problem="pontryagin.Problem with any number of controls",
+    parameters=LIST_OR_RANGES,
+)
 def optimal_duration(claim, problem, parameters=None):
     """Check the duration of the optimal process, as an expression in the parameters."""
+    parameters = with_ranges(problem, parameters)
     processes = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), claimed, uncertain in _evaluated(claim, processes, "the duration"):
         agrees = functools.partial(
@@ -323,6 +332,7 @@ def _require_corner(claim, true_durations):
 @judged(
     Expression("parameters"),
     problem="pontryagin.Problem with one control, its duration also an interval",
+    parameters=LIST_OR_RANGES,
 )
 def optimal_range(claim, problem, quantity, parameters=None):
     """Check the range of a quantity along the optimal process.
@@ -330,6 +340,7 @@ def optimal_range(claim, problem, quantity, parameters=None):
     The range is the greatest value of the quantity minus its least one, as an expression in the
     parameters; where several processes are optimal, it is the same for all of them.
     """
+    parameters = with_ranges(problem, parameters)
     from scipy.interpolate import CubicHermiteSpline
 
     symbols, names = list(problem.dynamics), list(parameters or {})

@@ -16,6 +16,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Number
 from workbook.checks.contract.direction import directed
+from workbook.checks.contract.shapes import COMMON
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.time_functions import INTEGRATED
@@ -106,7 +107,7 @@ def least_rate(claim, quantity, problem):
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 
-@judged
+@judged(parameters=COMMON["parameters"])
 def transferable_initial_states(answer, problem, parameters):
     """Check the initial states, or parameters, for which the target can be reached.
 
@@ -128,7 +129,7 @@ def _reachable(problem, parameters):
     )
 
 
-@judged
+@judged(parameters=COMMON["parameters"])
 def reachable_in_time(answer, problem, duration, parameters):
     """Check the condition for the target to be reached in a time not longer than `duration`.
 
@@ -165,7 +166,7 @@ def reachable_in_time(answer, problem, duration, parameters):
     return f"it separates the times that suffice from those that do not: {agreement}"
 
 
-@judged
+@judged(parameters=COMMON["parameters"])
 def switching_count(answer, problem, parameters=()):
     """Check how often the fastest control switches, as an expression in the parameters.
 
@@ -208,7 +209,7 @@ def _judge_greatest_count(claim, problem):
     raise Wrong(directed(failure, f"{claim} is not the greatest number of switchings"))
 
 
-@judged(Number())
+@judged(Number(), parameters=COMMON["parameters"])
 def switching_interval(claim, problem, parameters):
     """Check the time between two switchings of fastest controls, where it is always the same."""
     intervals = [
