@@ -71,8 +71,6 @@ def same_value(claim, reference):
 
     Examples
     --------
-    >>> import sympy as sp
-    >>> from workbook import checks
     >>> checks.same_value(0.318, 1 / sp.pi).status, checks.same_value(0.32, 1 / sp.pi).status
     ('right', 'wrong')
     """
@@ -91,8 +89,6 @@ def same_expression(claim, reference, parameters=(), given=sp.true):
 
     Examples
     --------
-    >>> import sympy as sp
-    >>> from workbook import checks
     >>> k = sp.Symbol("k")
     >>> checks.same_expression((k - 1) * (k + 1), k**2 - 1).message
     'it equals what is asked for, proved for all values'
@@ -119,8 +115,6 @@ def same_matrix(claim, reference, parameters=(), given=sp.true):
 
     Examples
     --------
-    >>> import sympy as sp
-    >>> from workbook import checks
     >>> a = sp.Symbol("a", real=True)
     >>> rotation = [[sp.cos(a), -sp.sin(a)], [sp.sin(a), sp.cos(a)]]
     >>> checks.same_matrix([[sp.cos(a), sp.cos(a + sp.pi / 2)], rotation[1]], rotation).status

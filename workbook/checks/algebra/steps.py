@@ -53,6 +53,17 @@ def steps(answer):
 
     The verdict names the first step that does not follow and a point where the two differ. It needs
     no data of the problem and says nothing about the right way.
+
+    Can decide when the steps are rational functions without decimals, polynomial equations or
+    polynomial conditions; others are compared at points, which the verdict says.
+
+    Examples
+    --------
+    >>> x = sp.Symbol("x")
+    >>> checks.steps([(x + 1)**2, x**2 + 2*x + 1]).message
+    'each of your 2 steps follows from the one before it, proved for all values'
+    >>> checks.steps([(x + 1)**2, x**2 + 1]).status
+    'wrong'
     """
     evidence = set()
     chain = _read(answer)

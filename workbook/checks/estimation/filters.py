@@ -56,6 +56,19 @@ def estimate(values, process, measured, at):
     """Check the best estimate of the state at a time from the measurements.
 
     Of a single coordinate it is an expression.
+
+    Can decide when the process is linear and Gaussian; with parameters at sample values that
+    satisfy what is given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> m, z = sp.symbols("m z")
+    >>> constant = Process(A=0, Q=0, H=1, R=1, mean=m, covariance=3)
+    >>> checks.estimate((m + 3*z)/4, constant, [(0, z)], 2, [m, z]).status
+    'right'
+    >>> checks.estimate((m + z)/2, constant, [(0, z)], 2, [m, z]).status
+    'wrong'
     """
     _, measurements, mean, _ = _conditional_moments(values, process, measured, at)
     return Truth(mean, abs(mean).max() + _size(measurements))
@@ -75,6 +88,19 @@ def estimate_covariance(values, process, measured, at):
     """Check the covariance matrix of the errors of the best estimate at a time.
 
     Of a single coordinate it is the variance.
+
+    Can decide when the process is linear; with parameters at sample values that satisfy what is
+    given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> z = sp.Symbol("z")
+    >>> constant = Process(A=0, Q=0, H=1, R=1, mean=0, covariance=3)
+    >>> checks.estimate_covariance(sp.Rational(3, 4), constant, [(0, z)], 2, [z]).status
+    'right'
+    >>> checks.estimate_covariance(3, constant, [(0, z)], 2, [z]).status
+    'wrong'
     """
     model, _, _, covariance = _conditional_moments(values, process, measured, at)
     return Truth(covariance, abs(processes.moments(model, sp.sympify(at).subs(values))[1]).max())
@@ -98,6 +124,19 @@ def estimate_standard_deviations(values, process, measured, at):
     """Check the standard deviations of the errors of the best estimate at a time.
 
     They are a column; of a single coordinate an expression.
+
+    Can decide when the process is linear; with parameters at sample values that satisfy what is
+    given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> z = sp.Symbol("z")
+    >>> constant = Process(A=0, Q=0, H=1, R=1, mean=0, covariance=3)
+    >>> checks.estimate_standard_deviations(0.866, constant, [(0, z)], 2, [z]).status
+    'right'
+    >>> checks.estimate_standard_deviations(0.75, constant, [(0, z)], 2, [z]).status
+    'wrong'
     """
     *_, covariance = _conditional_moments(values, process, measured, at)
     return Truth(np.sqrt(np.diag(covariance))[:, None])
@@ -133,6 +172,19 @@ def steady_covariance(values, process, moment=BEFORE):
     """Check the covariance matrix of the errors of the steady filter.
 
     In discrete time it is that at the `moment` of a measurement, "before" or "after".
+
+    Can decide when the steady filter exists; with parameters at sample values that satisfy what is
+    given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> q, r = sp.symbols("q r", positive=True)
+    >>> walk = Process(A=0, Q=q, H=1, R=r)
+    >>> checks.steady_covariance(sp.sqrt(q*r), walk, [q, r]).status
+    'right'
+    >>> checks.steady_covariance(q*r, walk, [q, r]).status
+    'wrong'
     """
     model = processes.at_values(process, values, start=False)
     true = processes.steady_covariances(model)[(BEFORE, AFTER).index(moment)]
@@ -167,6 +219,19 @@ def steady_gain(values, process):
     """Check the gain K of the steady filter, a column for each measurement.
 
     The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
+
+    Can decide when the steady filter exists; with parameters at sample values that satisfy what is
+    given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> q, r = sp.symbols("q r", positive=True)
+    >>> walk = Process(A=0, Q=q, H=1, R=r)
+    >>> checks.steady_gain(sp.sqrt(q/r), walk, [q, r]).status
+    'right'
+    >>> checks.steady_gain(q/r, walk, [q, r]).status
+    'wrong'
     """
     model = processes.at_values(process, values, start=False)
     true = processes.filter_gain(model, processes.steady_covariances(model)[0])
@@ -292,6 +357,16 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     """Check the different eigenvalues of the error matrix of the steady filter.
 
     The matrix is A - K H, in discrete time A (I - K H).
+
+    Can decide when the steady filter exists; with parameters at sample values that satisfy what is
+    given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> walk = Process(A=0, Q=4, H=1, R=1)
+    >>> checks.error_eigenvalues([-2], walk).status, checks.error_eigenvalues([2], walk).status
+    ('right', 'wrong')
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         model = processes.at_values(process, values, start=False)

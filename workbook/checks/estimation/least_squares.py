@@ -20,7 +20,18 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
-    """Check the estimate of the unknowns, in their order."""
+    """Check the estimate of the unknowns, in their order.
+
+    Can decide when the measured quantities are linear in the unknowns.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b")
+    >>> checks.least_squares([2, 1], [(a, 2), (a + b, 3)], [a, b]).status
+    'right'
+    >>> checks.least_squares([2.5], [(a, 1), (a, 3)], [a]).status
+    'wrong'
+    """
     for values in in_every_case(general_values(parameters), claims):
         rows, right_side = _weighted(measured, unknowns, deviations, values)
         true, claimed = (

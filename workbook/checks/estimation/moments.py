@@ -40,6 +40,17 @@ def covariance(claim, first, second, vector, law, parameters=()):
 
     Of two lists of them it is the matrix of the covariances of each of the first with each of
     the second.
+
+    Can decide when the quantities are linear and the law is a covariance matrix, or for any
+    quantities when the law gives all values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y")
+    >>> checks.covariance(7, x + y, 2*x, [x, y], sp.Matrix([[2, 1], [1, 5]])).status
+    'wrong'
+    >>> checks.covariance(6, x + y, 2*x, [x, y], sp.Matrix([[2, 1], [1, 5]])).status
+    'right'
     """
     rows, columns = _as_list(first), _as_list(second)
     for values in in_every_case(general_values(parameters), claim):

@@ -137,6 +137,18 @@ def covariance_at_time(values, process, time, times=None):
     Of a single coordinate it is an expression.
 
     `times` are those for which the answer is asked, if not for all.
+
+    Can decide when the process is linear, at the times and parameters that are tried.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> t, q, p = sp.symbols("t q p", positive=True)
+    >>> walk = Process(A=0, Q=q, covariance=p)
+    >>> checks.covariance_at_time(p + q*t, walk, t, [q, p]).status
+    'right'
+    >>> checks.covariance_at_time(q*t, walk, t, [q, p]).status
+    'wrong'
     """
     model = processes.at_values(process, values)
     F, N = processes.transition(model, values[time])
@@ -231,6 +243,18 @@ def stationary_covariance(values, process):
     """Check the covariance matrix that the process converges to from every initial covariance.
 
     It is compared at the parameters for which the process converges.
+
+    Can decide when all modes decay; with parameters at sample values that satisfy what is given.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> a, q = sp.symbols("a q", positive=True)
+    >>> noise = Process(A=-a, Q=q)
+    >>> checks.stationary_covariance(q/(2*a), noise, [a, q]).status
+    'right'
+    >>> checks.stationary_covariance(q/a, noise, [a, q]).status
+    'wrong'
     """
     model = processes.at_values(processes.as_process(process), values, start=False)
     true = processes.stationary_covariance(model)
@@ -278,6 +302,18 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
     """Check the parameters for which the covariance converges whatever it is initially.
 
     It converges to one and the same matrix.
+
+    Can decide when the entries are polynomials in the parameters; elsewhere the condition is
+    compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> a = sp.Symbol("a", real=True)
+    >>> checks.stationary_covariance_exists(a > 0, Process(A=-a, Q=1), [a]).status
+    'right'
+    >>> checks.stationary_covariance_exists(a >= 0, Process(A=-a, Q=1), [a]).status
+    'wrong'
     """
     process = processes.as_process(process)
 

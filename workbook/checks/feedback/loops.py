@@ -282,6 +282,19 @@ def observer_gain(
 
     Required is the `degree` of stability for all values of the parameters as `given`, or the
     `polynomial` in `symbol`, whose coefficients are parameters.
+
+    Can decide when the entries are numbers, or rational functions of the parameters. Any gain with
+    the spectrum that is required is right, and so is an empty list where there is none.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> cart = Linear(A=[[0, 1], [0, 0]], H=[[1, 0]])
+    >>> checks.observer_gain([3, 2], cart).status, checks.observer_gain([-3, 2], cart).status
+    ('right', 'wrong')
+    >>> s = sp.Symbol("s")
+    >>> checks.observer_gain([3, 2], cart, polynomial=(s + 1)*(s + 2), symbol=s).status
+    'right'
     """
     requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     return _judge(gain, *_error_loop(system, parameters, requirement))
@@ -297,6 +310,18 @@ def feedback_gain(
 
     The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback
     will do is decided as a condition on the entries of K.
+
+    Can decide when the entries are numbers, or rational functions of the parameters. Any gain with
+    the spectrum that is required is right, and so is an empty list where there is none.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> cart = Linear(A=[[0, 1], [0, 0]], B=[[0], [1]])
+    >>> checks.feedback_gain([[-2, -3]], cart).status, checks.feedback_gain([[2, 3]], cart).status
+    ('right', 'wrong')
+    >>> checks.feedback_gain([[-2, -3]], cart, degree=2).status
+    'wrong'
     """
     requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     if not system.H:
@@ -338,6 +363,17 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=
 
     Of a system `WithError` L belongs to the state with w below it. Required is the `degree` of stability for
     all values of the parameters, of the loop and of the errors.
+
+    Can decide when the entries are numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> cart = Linear(A=[[0, 1], [0, 0]], B=[[0], [1]], H=[[1, 0]])
+    >>> checks.observer_feedback_gains([[[-2, -3]], [3, 2]], cart).status
+    'right'
+    >>> checks.observer_feedback_gains([[[-2, -3]], [-3, 2]], cart).status
+    'wrong'
     """
     requirement = Requirement(tuple(parameters), given, degree)
     parts = [

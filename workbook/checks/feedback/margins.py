@@ -39,6 +39,19 @@ def gain_region(answer, system, gain, parameters, degree=0):
     stabilises the system; without a control the errors of the observer decay, A - LH.
 
     Of one equation, `Scalar`, u = `gain` z. With a `degree` of stability its border counts either way.
+
+    Can decide when the characteristic polynomial has rational coefficients in the gains: then for
+    all of them at once. Elsewhere the condition is compared with the roots at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> k1, k2 = sp.symbols("k1 k2", real=True)
+    >>> cart = Linear(A=[[0, 1], [0, 0]], B=[[0], [1]])
+    >>> checks.gain_region((k1 < 0) & (k2 < 0), cart, sp.Matrix([[k1, k2]]), [k1, k2]).status
+    'right'
+    >>> checks.gain_region(k1 < 0, cart, sp.Matrix([[k1, k2]]), [k1, k2]).status
+    'wrong'
     """
     loop, _ = loop_of(system)
     property_name = "stable" if isinstance(system, Scalar) or system.B else "convergent"
@@ -56,6 +69,19 @@ def possible_margins(answer, system, mu, parameters=()):
 
     With parameters the condition is on mu and these, so it also says for which values there is
     none.
+
+    Can decide when the entries are polynomials in the parameters, for all mu and all parameters;
+    elsewhere the condition is compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> mu = sp.Symbol("mu", positive=True)
+    >>> plant = Linear(A=[[1, 0], [0, -3]], B=[[1], [0]])
+    >>> checks.possible_margins(mu <= 3, plant, mu).status
+    'right'
+    >>> checks.possible_margins(mu < 3, plant, mu).status
+    'wrong'
     """
     if isinstance(system, Scalar):
         device, reference = "feedback by an estimate", up_to(mu, common_margin(system))

@@ -47,6 +47,19 @@ def observer_equations(
     They are expressions in the `estimates`, z and u.
 
     The requirement is that of `observer_gain`, on the matrix that the errors obey.
+
+    Can decide when the right-hand sides are linear in estimates, outputs and controls.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> e1, e2, z, u = sp.symbols("e1 e2 z u")
+    >>> cart = Linear(A=[[0, 1], [0, 0]], B=[[0], [1]], H=[[1, 0]])
+    >>> observer = [e2 + 3*(z - e1), u + 2*(z - e1)]
+    >>> checks.observer_equations(observer, cart, [e1, e2], [z], [u]).status
+    'right'
+    >>> checks.observer_equations([e2, u], cart, [e1, e2], [z], [u]).status
+    'wrong'
     """
     requirement = Requirement(tuple(parameters), given, degree, polynomial, symbol)
     A, B, H = system.A, system.B, system.H

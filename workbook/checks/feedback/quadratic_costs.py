@@ -43,6 +43,16 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
 
     With a given end it is an expression in the symbol of `time`. An empty list says that no law
     is the best of those that bring every state to zero.
+
+    Can decide when the weight of the control is positive definite: the gain is compared with the
+    least cost at numbers, for sample values of parameters and times.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> checks.optimal_gain(-3, problem).status, checks.optimal_gain(1, problem).status
+    ('right', 'wrong')
     """
     if claim is None:
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
@@ -105,6 +115,16 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """Check the matrix S of the least cost from x, factor x^T S x.
 
     With a given end it is an expression in the symbol of `time`.
+
+    Can decide when the problem has a law of least cost; with parameters and times at sample values
+    of them.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> checks.cost_matrix(3, problem).status, checks.cost_matrix(-1, problem).status
+    ('right', 'wrong')
     """
     for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
         true = regulator.least(instant)
@@ -160,7 +180,18 @@ def least_quadratic_cost(values, problem, start):
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
-    """Check the different eigenvalues of A + BK under the law of least cost for infinite time."""
+    """Check the different eigenvalues of A + BK under the law of least cost for infinite time.
+
+    Can decide when the problem has a law of least cost in infinite time; with parameters at sample
+    values of them.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> checks.optimal_eigenvalues([-2], problem).status, checks.optimal_eigenvalues([2], problem).status
+    ('right', 'wrong')
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         regulator = regulators.Regulator(problem, values)
         loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())

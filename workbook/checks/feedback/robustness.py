@@ -108,6 +108,17 @@ def gain_margins(claims, loop, K=None, L=None, process=None, parameters=(), give
 
     It is the largest interval about 1 for which the loop with m L is asymptotically stable; `high`
     may be oo.
+
+    Can decide when the loop is a rational function with numbers, or at sample values of its
+    parameters.
+
+    Examples
+    --------
+    >>> s = sp.Symbol("s")
+    >>> checks.gain_margins([0, sp.oo], 3/(s + 1)).status
+    'right'
+    >>> checks.gain_margins([0, 1], 3/(s + 1)).status
+    'wrong'
     """
     for values, numbers in _loops(claims, loop, K, L, process, parameters, given):
 

@@ -37,6 +37,17 @@ def optimal_costate(claims, problem, time, parameters=None):
     """Check costates along the optimal process with lambda_0 = 1.
 
     They are a list in the order of the states, or one expression.
+
+    Can decide when the problem has no constraints along the path and one control; the conditions
+    of the maximum principle are tried along the best process found.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u, L, t = sp.symbols("x u L t", positive=True)
+    >>> move = Problem({x: u}, {u: (-sp.oo, sp.oo)}, {x: 0}, [x - L], u**2, duration=1)
+    >>> checks.optimal_costate(2*L, move, t, [L]).status, checks.optimal_costate(L, move, t, [L]).status
+    ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1

@@ -58,6 +58,18 @@ def extremum_motion(claim, functional, parameters=()):
     """Check the motion x(t) on which a functional is least, or greatest.
 
     It is an expression in time and parameters.
+
+    Can decide when the functional has a best motion that direct optimisation finds; variations of
+    the answer are tried.
+
+    Examples
+    --------
+    >>> from workbook.systems import Functional
+    >>> t = sp.Symbol("t", real=True)
+    >>> x = sp.Function("x")
+    >>> length = Functional(x(t).diff(t)**2, x(t), (t, 0, 1), start=[0], end=[2])
+    >>> checks.extremum_motion(2*t, length).status, checks.extremum_motion(2*t**2, length).status
+    ('right', 'wrong')
     """
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
@@ -80,7 +92,19 @@ def extremum_motion(claim, functional, parameters=()):
 
 @judged(Expression("parameters"), parameters=COMMON["parameters"])
 def extremum_value(claim, functional, parameters=()):
-    """Check the least, or greatest, value of a functional, as an expression in the parameters."""
+    """Check the least, or greatest, value of a functional, as an expression in the parameters.
+
+    Can decide when the functional has a best motion that direct optimisation finds.
+
+    Examples
+    --------
+    >>> from workbook.systems import Functional
+    >>> t = sp.Symbol("t", real=True)
+    >>> x = sp.Function("x")
+    >>> length = Functional(x(t).diff(t)**2, x(t), (t, 0, 1), start=[0], end=[2])
+    >>> checks.extremum_value(4, length).status, checks.extremum_value(2, length).status
+    ('right', 'wrong')
+    """
     for values, best in _optima(functional, tuple(parameters)):
         if values:
             yield SameValue(

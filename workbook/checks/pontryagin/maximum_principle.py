@@ -53,6 +53,20 @@ def pontryagin_function(claim, problem, costates, domain=None):
     """Check the Pontryagin function H with lambda_0 = 1.
 
     It is an expression in states, controls, costates and parameters.
+
+    Can decide when the costs and right-hand sides have values at sample states, controls and
+    costates, where H is compared.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> checks.pontryagin_function(p1*v + p2*u - 1, cart, [p1, p2]).status
+    'right'
+    >>> checks.pontryagin_function(p1*v + p2*u, cart, [p1, p2]).status
+    'wrong'
     """
     true = hamiltonian(problem, costates)
     for values in sample_points(problem, costates, domain):
@@ -76,6 +90,20 @@ def adjoint_equations(claims, problem, costates, domain=None):
     """Check the right-hand sides of the adjoint equations with lambda_0 = 1.
 
     They stand in the order of the states.
+
+    Can decide when the right-hand sides are differentiable at the sample states, where they are
+    compared.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> checks.adjoint_equations([0, -p1], cart, [p1, p2]).status
+    'right'
+    >>> checks.adjoint_equations([0, p1], cart, [p1, p2]).status
+    'wrong'
     """
     H = hamiltonian(problem, costates)
     for psi, y, claim in zip(costates, problem.state, claims):
@@ -99,6 +127,17 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     """Check the switching function dH/du, up to a positive factor.
 
     Its sign decides on which bound the control lies.
+
+    Can decide when H is linear in the control, at sample states and costates.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> checks.switching_function(p2, cart, [p1, p2]).status, checks.switching_function(p1, cart, [p1, p2]).status
+    ('right', 'wrong')
     """
     control = control or problem.control[0]
     slope = sp.diff(hamiltonian(problem, costates), control)
@@ -141,6 +180,20 @@ def maximising_control(answer, problem, costates, domain=None):
     """Check the control that maximises H, in states, costates and parameters.
 
     Of several controls it is a list.
+
+    Can decide when an admissible control maximises H at the sample states and costates, where no
+    other may give more.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> checks.maximising_control(sp.sign(p2), cart, [p1, p2]).status
+    'right'
+    >>> checks.maximising_control(-sp.sign(p2), cart, [p1, p2]).status
+    'wrong'
     """
     symbols = [*problem.state, *costates, *problem.parameters]
     controls = list(problem.control)

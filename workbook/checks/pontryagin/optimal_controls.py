@@ -58,6 +58,17 @@ def optimal_control(claim, problem, time, parameters=None):
     """Check the control of an optimal process.
 
     It is an expression in time and parameters, or a list of arcs [value, until].
+
+    Can decide when the problem has no constraints along the path and one control: the best process
+    is searched numerically, without the maximum principle, at sample values of the parameters.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u, L, t = sp.symbols("x u L t", positive=True)
+    >>> move = Problem({x: u}, {u: (-sp.oo, sp.oo)}, {x: 0}, [x - L], u**2, duration=1)
+    >>> checks.optimal_control(L, move, t, [L]).status, checks.optimal_control(2*L*t, move, t, [L]).status
+    ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
     steering = Steering(claim, time, parameters)

@@ -44,6 +44,17 @@ def optimal_motion(claims, problem, time, parameters=None):
     """Check an optimal motion, all states as functions of time and parameters.
 
     The first state suffices if the others are its derivatives.
+
+    Can decide when the problem has no constraints along the path and one control: the best process
+    is searched numerically, without the maximum principle, at sample values of the parameters.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u, L, t = sp.symbols("x u L t", positive=True)
+    >>> move = Problem({x: u}, {u: (-sp.oo, sp.oo)}, {x: 0}, [x - L], u**2, duration=1)
+    >>> checks.optimal_motion(L*t, move, t, [L]).status, checks.optimal_motion(L*t**2, move, t, [L]).status
+    ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
     motion, has_initial_value = (

@@ -64,6 +64,17 @@ def optimal_cost(claim, problem, parameters=None):
 
     Where these are the initial state and the duration is free, the remaining part of a process is
     optimal too: the cost is compared at its states as well.
+
+    Can decide when the problem has no constraints along the path and one control: the best process
+    is searched numerically, without the maximum principle, at sample values of the parameters.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u, L, t = sp.symbols("x u L t", positive=True)
+    >>> move = Problem({x: u}, {u: (-sp.oo, sp.oo)}, {x: 0}, [x - L], u**2, duration=1)
+    >>> checks.optimal_cost(L**2, move, [L]).status, checks.optimal_cost(2*L**2, move, [L]).status
+    ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
     better = "greater" if problem.maximise else "less"
@@ -211,7 +222,19 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
     parameters=LIST_OR_RANGES,
 )
 def optimal_duration(claim, problem, parameters=None):
-    """Check the duration of the optimal process, as an expression in the parameters."""
+    """Check the duration of the optimal process, as an expression in the parameters.
+
+    Can decide when the problem has no constraints along the path: the best process is searched
+    numerically, without the maximum principle, at sample values of the parameters.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> checks.optimal_duration(4, cart).status, checks.optimal_duration(2, cart).status
+    ('right', 'wrong')
+    """
     parameters = with_ranges(problem, parameters)
     processes = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), claimed, uncertain in _evaluated(claim, processes, "the duration"):

@@ -44,6 +44,18 @@ def singular_order(claim, problem, costates, control=None):
     """Check the order q of the singular arcs.
 
     The control appears first in the derivative of order 2q of dH/du.
+
+    Can decide when points of singular arcs can be computed from the data; the derivatives are
+    taken there.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> area = Problem({x: u, v: x**2}, {u: (-1, 1)}, {x: 0, v: 0}, final=v, duration=1)
+    >>> checks.singular_order(1, area, [p1, p2]).status, checks.singular_order(2, area, [p1, p2]).status
+    ('right', 'wrong')
     """
     arcs = _arcs(problem, costates, control)
     if claim != arcs.order:
@@ -60,6 +72,20 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
 
     It is an equation, or a list of equations that hold together; equations joined by Or, of which
     one holds, count as one.
+
+    Can decide when points of singular arcs can be computed from the data; the zeros of the answer
+    are compared with them.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> area = Problem({x: u, v: x**2}, {u: (-1, 1)}, {x: 0, v: 0}, final=v, duration=1)
+    >>> checks.singular_surface([sp.Eq(x, 0)], area, [p1, p2]).status
+    'right'
+    >>> checks.singular_surface([sp.Eq(x, 1)], area, [p1, p2]).status
+    'wrong'
     """
     arcs = _arcs(problem, costates, control)
     symbols = [*problem.state, *problem.parameters]
@@ -123,6 +149,18 @@ def singular_control(claim, problem, costates, control=None, domain=None):
     """Check the control on singular arcs, in states and parameters.
 
     What holds on the arcs may be used.
+
+    Can decide when points of singular arcs can be computed from the data; the control is compared
+    there.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> area = Problem({x: u, v: x**2}, {u: (-1, 1)}, {x: 0, v: 0}, final=v, duration=1)
+    >>> checks.singular_control(0, area, [p1, p2]).status, checks.singular_control(1, area, [p1, p2]).status
+    ('right', 'wrong')
     """
     arcs = _arcs(problem, costates, control)
     without_control, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
@@ -204,6 +242,18 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     """Check the left-hand side of the Kelley condition on singular arcs.
 
     It is (-1)^q d/du d^(2q)/dt^(2q) dH/du.
+
+    Can decide when points of singular arcs can be computed from the data; the expression is
+    compared there.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> area = Problem({x: u, v: x**2}, {u: (-1, 1)}, {x: 0, v: 0}, final=v, duration=1)
+    >>> checks.kelley_expression(-2, area, [p1, p2]).status, checks.kelley_expression(2, area, [p1, p2]).status
+    ('right', 'wrong')
     """
     arcs = _arcs(problem, costates, control)
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
@@ -228,7 +278,19 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     YesNo(), problem="pontryagin.Problem with any number of controls, its duration also an interval"
 )
 def kelley_holds(claim, problem, costates, control=None, domain=None):
-    """Check whether the Kelley condition holds on the singular arcs."""
+    """Check whether the Kelley condition holds on the singular arcs.
+
+    Can decide when points of singular arcs can be computed from the data; the sign is taken there.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> area = Problem({x: u, v: x**2}, {u: (-1, 1)}, {x: 0, v: 0}, final=v, duration=1)
+    >>> checks.kelley_holds("yes", area, [p1, p2]).status, checks.kelley_holds("no", area, [p1, p2]).status
+    ('right', 'wrong')
+    """
     arcs = _arcs(problem, costates, control)
     kelley = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}

@@ -174,6 +174,20 @@ def minimal_time(claim, system, target, parameters=None, start=None):
     """Check the shortest time to the target as an expression in the initial state.
 
     It is compared where the target can be reached.
+
+    Can decide when the system is linear in two states with one bounded control, and the target is
+    a point, a line, a segment or the border of a convex set.
+
+    Examples
+    --------
+    >>> from workbook.systems import Controlled
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart = Controlled({x: v, v: u}, {u: (-1, 1)})
+    >>> side = sp.sign(x + v*sp.Abs(v)/2)
+    >>> checks.minimal_time(side*v + 2*sp.sqrt(v**2/2 + side*x), cart, [x, v]).status
+    'right'
+    >>> checks.minimal_time(2*sp.sqrt(sp.Abs(x)), cart, [x, v]).status
+    'wrong'
     """
     reference = sampled_optimum(*synthesis_data(system, target, parameters, start))
     batch = reference.batch(in_decimals(claim))

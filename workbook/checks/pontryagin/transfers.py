@@ -112,6 +112,20 @@ def transferable_initial_states(answer, problem, parameters):
     """Check the initial states, or parameters, for which the target can be reached.
 
     An initial state on the target counts either way.
+
+    Can decide when the cost is the time of one control with two bounds and the target is the
+    origin, a line through it, or a value of the only state; the condition is compared for all
+    parameters where it is polynomial.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> grow = Problem({x: x + u}, {u: (-1, 1)}, {x: None}, [x])
+    >>> checks.transferable_initial_states(sp.Abs(x) < 1, grow, [x]).status
+    'right'
+    >>> checks.transferable_initial_states(sp.Abs(x) <= 1, grow, [x]).status
+    'wrong'
     """
     transfer, reference = _reachable(problem, tuple(parameters))
     agreement = compare(

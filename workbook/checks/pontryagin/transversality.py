@@ -25,6 +25,20 @@ def transversality(answer, problem, costates):
 
     They are a list of expressions or equations in costates, states and parameters, without the
     multipliers of the target. H = 0 does not belong to them.
+
+    Can decide when the target is given by terminal conditions; points on it and costates are
+    sampled.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> p1, p2 = sp.symbols("p1 p2")
+    >>> wall = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x])
+    >>> checks.transversality([p2], wall, [p1, p2]).status
+    'right'
+    >>> checks.transversality([p1], wall, [p1, p2]).status
+    'wrong'
     """
     symbols = [*costates, *problem.state, *problem.parameters]
     claims = [

@@ -56,6 +56,16 @@ def greatest_magnitude(claim, quantity, box):
     """Check the greatest absolute value of a quantity in a box.
 
     The ends of the sides and the quantity may depend on further, positive symbols.
+
+    Can decide when the quantity is continuous in the box; further symbols get sample values.
+
+    Examples
+    --------
+    >>> t, h = sp.symbols("t h", positive=True)
+    >>> checks.research.greatest_magnitude(h**2, t*(2*h - t), {t: (0, 2*h)}).status
+    'right'
+    >>> checks.research.greatest_magnitude(h, t*(2*h - t), {t: (0, 2*h)}).status
+    'wrong'
     """
     for values in in_every_case(random_values(_parameters(quantity, box), SEED), claim):
         sides = [

@@ -95,6 +95,17 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
     """Check whether x = 0 of a linear system is asymptotically stable, stable or unstable.
 
     The word "stable" means stable but not asymptotically.
+
+    Can decide when the system is linear, with constant or given time-varying coefficients; its
+    motions are followed for long times.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.critical_stability("stable", [y, -x], [x, y], []).status
+    'right'
+    >>> checks.critical_stability("unstable", [y, -x], [x, y], []).status
+    'wrong'
     """
     verdicts = [
         (values, matrix, stability(matrix))

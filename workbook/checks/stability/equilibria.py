@@ -34,6 +34,18 @@ def equilibria(answer, field, state, parameters=(), domain=None, zeros=None, kin
     domain, for some values of the parameters stands for no point there. Where derivatives vanish
     at a point as well, `zeros` are functions that have the same zeros, all simple. The kind is
     decided by linearisation.
+
+    Can decide when the equilibria are simple zeros of the field, or of the `zeros`; with
+    parameters at sample values in the domain.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> field = [y, x*(6*x - 43)]
+    >>> checks.equilibria([[0, 0], [sp.Rational(43, 6), 0]], field, [x, y]).status
+    'right'
+    >>> checks.equilibria([[0, 0]], field, [x, y]).message
+    'there is an equilibrium that your answer does not give'
     """
     noun = "equilibrium" if kind is None else f"{kind} equilibrium"
     family = equilibria_of(field, state, parameters, domain)

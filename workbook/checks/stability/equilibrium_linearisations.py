@@ -47,6 +47,19 @@ def equilibrium_linearisation(
 
     Where A may be singular, `zeros` are functions that have the same zeros as the field, all
     simple: only simple zeros are found reliably.
+
+    Can decide when the equilibria are simple zeros of the field, or of the `zeros`; with
+    parameters at sample values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> field = [y, -sp.sin(x)]
+    >>> upright = sp.Matrix([[0, 1], [1, 0]])
+    >>> checks.equilibrium_linearisation([upright, sp.Matrix([[0, 1], [-1, 0]])], field, [x, y]).status
+    'right'
+    >>> checks.equilibrium_linearisation([upright], field, [x, y]).status
+    'wrong'
     """
     n, integers = len(state), [] if integer is None else [integer]
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
@@ -162,7 +175,19 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
 
 @judged(Expression("parameters"))
 def equilibrium_value(claim, expression, field, state, parameters, domain=None):
-    """Check the value of an expression of the state at the equilibrium, the only one in the domain."""
+    """Check the value of an expression of the state at the equilibrium, the only one in the domain.
+
+    Can decide when the domain holds one equilibrium; with parameters at sample values.
+
+    Examples
+    --------
+    >>> v = sp.Symbol("v", positive=True)
+    >>> k = sp.Symbol("k", positive=True)
+    >>> checks.equilibrium_value(k, k*v**2, [1 - k*v**2], [v], [k], {v: sp.Interval.open(0, sp.oo)}).status
+    'wrong'
+    >>> checks.equilibrium_value(1, k*v**2, [1 - k*v**2], [v], [k], {v: sp.Interval.open(0, sp.oo)}).status
+    'right'
+    """
     family = equilibria_of(field, state, parameters, domain)
     expression_at = equilibria_of([expression], state, parameters, domain)
     for values, numbers, equilibrium in family.samples(claim):

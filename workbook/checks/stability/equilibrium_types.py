@@ -50,6 +50,16 @@ def equilibrium_type(answer, field, state, parameters, domain=None):
     """Check the type of the equilibrium of a planar system.
 
     It is the same for all values of the parameters.
+
+    Can decide when the domain holds one equilibrium, whose type its linearisation determines.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.equilibrium_type("saddle", [y, x], [x, y], []).status
+    'right'
+    >>> checks.equilibrium_type("stable node", [y, x], [x, y], []).status
+    'wrong'
     """
     spelled = (
         answer.lower().replace("center", "centre").replace("star node", "star")

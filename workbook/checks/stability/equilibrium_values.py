@@ -34,6 +34,18 @@ def equilibrium_values(answer, field, state, parameters=(), given=(), integer=No
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0). The
     kind is decided by linearisation (Theorem 1.4).
+
+    Can decide when the field is that of one equation of second order and its equilibria are simple
+    zeros, for sample values that satisfy what is given.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> n = sp.Symbol("n", integer=True)
+    >>> checks.equilibrium_values(sp.pi*n, [y, -sp.sin(x)], [x, y], [], integer=n).status
+    'right'
+    >>> checks.equilibrium_values(2*sp.pi*n, [y, -sp.sin(x)], [x, y], [], integer=n).status
+    'wrong'
     """
     symbols = [*parameters, *([] if integer is None else [integer])]
     expected = "the values written out: a list of expressions, or a set as solveset gives it"

@@ -22,7 +22,19 @@ from workbook.checks.tools.wording import other_text, values_text
 
 @judged(Expression("state", "parameters"))
 def lyapunov_derivative(claim, function, field, state, parameters=()):
-    """Check the derivative of V along the motions of x' = f(x), in the state (Definition 1.4)."""
+    """Check the derivative of V along the motions of x' = f(x), in the state (Definition 1.4).
+
+    Can decide when function and field have values at sample points; the identity is compared
+    there.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.lyapunov_derivative(-2*y**2, x**2 + y**2, [y, -x - y], [x, y], []).status
+    'right'
+    >>> checks.lyapunov_derivative(2*y**2, x**2 + y**2, [y, -x - y], [x, y], []).status
+    'wrong'
+    """
     random = np.random.default_rng(4)
     for values in in_every_case(sample_values(parameters), claim):
         flow, level = Field(field, state, values), Field([function], state, values)

@@ -78,6 +78,17 @@ def linearisation(claim, field, state, at, parameters=()):
     """Check the n x n matrix A of the deviation equations x' = A x + B w from the motion `at`.
 
     The motion is an equilibrium (n expressions) or a program.
+
+    Can decide when the right-hand sides are differentiable along the motion, at sample times and
+    parameters.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.linearisation([[0, 1], [-1, 0]], [y, -sp.sin(x)], [x, y], [0, 0]).status
+    'right'
+    >>> checks.linearisation([[0, 1], [1, 0]], [y, -sp.sin(x)], [x, y], [0, 0]).status
+    'wrong'
     """
     motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):

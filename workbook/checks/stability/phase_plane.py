@@ -91,7 +91,18 @@ def dulac_function(answer, field, state, parameters, domain=None):
 
 @judged
 def first_integral(answer, field, state, parameters, domain=None):
-    """Check a function of the state that is constant along the motions and not constant itself."""
+    """Check a function of the state that is constant along the motions and not constant itself.
+
+    Can decide when field and integral are rational functions; others are compared at points.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.first_integral(2*x**2 + y**2/2, [y, -4*x], [x, y], []).status
+    'right'
+    >>> checks.first_integral(x**2 + y**2, [y, -4*x], [x, y], []).status
+    'wrong'
+    """
     symbols = [*state, *parameters]
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]

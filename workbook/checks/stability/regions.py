@@ -25,6 +25,18 @@ def stability_region(answer, system, parameters, degree=0):
     another one, by their linearisation. Parameters where the order of the equation drops
     are accepted either way; with a positive degree of stability (Definition 1.5, Re <= -mu) so is the
     boundary.
+
+    Can decide when the coefficients are polynomials in the parameters, or rational functions of
+    them: then for all values at once. Elsewhere the condition is compared with the roots at
+    points.
+
+    Examples
+    --------
+    >>> s, p, q = sp.symbols("s p q", real=True)
+    >>> checks.stability_region(sp.And(p > 2, q > 0), s**2 + (p - 2)*s + q, [p, q]).message
+    'agrees with the roots: proved for all values'
+    >>> checks.stability_region(p > 2, s**2 + (p - 2)*s + q, [p, q]).status
+    'wrong'
     """
     if isinstance(system, Deviations):
         return compare_region(

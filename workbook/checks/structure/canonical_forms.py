@@ -88,6 +88,17 @@ def canonical_change(claim, system, parameters=()):
 
     By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by
     control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 1], [2, 1]], H=[[1, 0]])
+    >>> checks.canonical_change([[1, 0], [-1, 1]], pair).status
+    'right'
+    >>> checks.canonical_change([[1, 0], [0, 1]], pair).status
+    'wrong'
     """
     orders = range(1, system.A.rows + 1)
     if has_control(system):

@@ -70,6 +70,18 @@ def decomposition(claim, system, parameters=()):
     neither xi' nor z contains eta, and xi has rank N coordinates. With a control it is P of x =
     P (xi; eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank
     W coordinates.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters. Any
+    change of variables with the zeros of the form is right.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 1], [1, 0]], H=[[1, 1]])
+    >>> checks.decomposition([[1, 1], [0, 1]], pair).status
+    'right'
+    >>> checks.decomposition([[1, 0], [0, 1]], pair).status
+    'wrong'
     """
     return _judge_split(*by_observation(claim, system, parameters))
 

@@ -20,6 +20,15 @@ def fixed_eigenvalues(claim, system, parameters=()):
     or set says that there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
+
+    Can decide when the entries are exact numbers: the rank of the PBH test is computed exactly.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> plant = Linear(A=[[1, 2], [1, 0]], B=[[1], [-1]])
+    >>> checks.fixed_eigenvalues([2], plant).status, checks.fixed_eigenvalues([-1], plant).status
+    ('right', 'wrong')
     """
     control = has_control(system)
     if isinstance(system, Mechanical):

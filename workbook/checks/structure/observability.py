@@ -25,6 +25,16 @@ def observable(claim, system, parameters=()):
 
     With an error its size has to be determined too; with parameters: whether this holds for all
     values that their assumptions allow.
+
+    Can decide when the entries are exact numbers, or polynomials in the parameters: the rank is
+    computed exactly.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> spring = Linear(A=[[0, 1], [-1, 0]], H=[[1, 0]])
+    >>> checks.observable("yes", spring).status, checks.observable("no", spring).status
+    ('right', 'wrong')
     """
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system, OUTPUT_PENCIL)
@@ -41,6 +51,19 @@ def observable_parameters(answer, system, parameters, part=None):
     whether or not the other one is. Where the M of a `Mechanical` system is singular its order
     drops; what is said of these values does not count. Of `Measurements` it is that their
     Jacobian has full rank.
+
+    Can decide when the entries are polynomials in the parameters, at isolated values too;
+    elsewhere the condition is compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> k = sp.Symbol("k", real=True)
+    >>> pair = Linear(A=[[0, 1], [2, 0]], H=[[k, 1]])
+    >>> checks.observable_parameters(sp.Ne(k**2, 2), pair, [k]).status
+    'right'
+    >>> checks.observable_parameters(sp.Ne(k, 0), pair, [k]).status
+    'wrong'
     """
     pair = (
         observed_pair(system, parameters)
@@ -72,6 +95,18 @@ def unobservable_states(claim, system, parameters=(), start=()):
 
     With parameters: for their values in general position, as the assumptions allow, and
     wherever as much is unobservable. By the symbols of the `start` a vector may be given as a dict.
+
+    Can decide when the entries are exact numbers; with parameters for their values in general
+    position, exactly. Any basis is right.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 0], [0, 0]], H=[[2, 1]])
+    >>> checks.unobservable_states([[-3, 6]], pair).status
+    'right'
+    >>> checks.unobservable_states([[2, 1]], pair).message
+    'the motion from your vector 1 gives z = 5 at t = 0, not 0'
     """
     return judge_basis(claim, observed_pair(system, parameters), words(system))
 
@@ -84,6 +119,19 @@ def unobservable_states_at(claim, system, parameter):
     the initial states that give z = 0.
 
     For systems that lose observability at finitely many values, all of them rational.
+
+    Can decide when the entries are polynomials in the parameter: all its values are examined
+    exactly.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> k = sp.Symbol("k", real=True)
+    >>> pair = Linear(A=[[1, 0], [0, 2]], H=[[1, k]])
+    >>> checks.unobservable_states_at({0: [[0, 1]]}, pair, k).status
+    'right'
+    >>> checks.unobservable_states_at({}, pair, k).status
+    'wrong'
     """
     return judge_exceptional_bases(
         claim,
