@@ -243,6 +243,18 @@ def steady_filter_exists(answer, process, parameters):
     """Check the condition under which there is a steady filter whose errors decay.
 
     It is a condition on the parameters.
+
+    Can decide when the coefficients are polynomials in the parameters; elsewhere the condition is
+    compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> h = sp.Symbol("h", real=True)
+    >>> checks.steady_filter_exists(sp.Ne(h, 0), Process(A=1, Q=1, H=h, R=1), [h]).status
+    'right'
+    >>> checks.steady_filter_exists(h > 0, Process(A=1, Q=1, H=h, R=1), [h]).status
+    'wrong'
     """
 
     def message(values, holds):
@@ -270,6 +282,17 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
 
     It is a column in the symbols of the estimates y, of the outputs z and of P, the
     `covariance` of the errors; of a single coordinate an expression.
+
+    Can decide when the process is linear, at sample values of all symbols.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> e, z, p = sp.symbols("e z p")
+    >>> checks.filter_equation(p*(z - e), Process(A=0, Q=4, H=1, R=1), [e], [z], sp.Matrix([[p]])).status
+    'right'
+    >>> checks.filter_equation(p*(e - z), Process(A=0, Q=4, H=1, R=1), [e], [z], sp.Matrix([[p]])).status
+    'wrong'
     """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
@@ -302,6 +325,18 @@ def riccati_equation(claim, process, covariance, parameters=()):
 
     It is a matrix in the symbols of P, the `covariance`: in continuous time P' = ..., in
     discrete time the covariance before the next measurement, if P is that before this one.
+
+    Can decide when the process is linear, at sample values of its parameters and of the
+    covariance.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> p = sp.Symbol("p", positive=True)
+    >>> checks.riccati_equation(4 - p**2, Process(A=0, Q=4, H=1, R=1), sp.Matrix([[p]])).status
+    'right'
+    >>> checks.riccati_equation(4 + p**2, Process(A=0, Q=4, H=1, R=1), sp.Matrix([[p]])).status
+    'wrong'
     """
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     units = regulators.covariance_units(processes.as_process(process))

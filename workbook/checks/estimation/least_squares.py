@@ -54,7 +54,19 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 
 @judged(Expression("parameters"))
 def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
-    """Check the least value of the weighted sum of the squared residuals."""
+    """Check the least value of the weighted sum of the squared residuals.
+
+    Can decide when the measured quantities are linear in the unknowns; parameters get sample
+    values.
+
+    Examples
+    --------
+    >>> a = sp.Symbol("a")
+    >>> checks.least_sum_of_squares(2, [(a, 1), (a, 3)], [a]).status
+    'right'
+    >>> checks.least_sum_of_squares(4, [(a, 1), (a, 3)], [a]).status
+    'wrong'
+    """
     for values in in_every_case(general_values(parameters), claim):
         rows, right_side = _weighted(measured, unknowns, deviations, values)
         residuals = right_side - rows @ np.linalg.lstsq(rows, right_side, rcond=None)[0]
@@ -70,7 +82,19 @@ def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
 def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
-    """Check the covariance matrix of the errors of the estimate."""
+    """Check the covariance matrix of the errors of the estimate.
+
+    Can decide when the measured quantities are linear in the unknowns; parameters get sample
+    values.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b")
+    >>> checks.error_covariance([[1, -1], [-1, 2]], [(a, 2), (a + b, 3)], [a, b]).status
+    'right'
+    >>> checks.error_covariance([[1, 0], [0, 1]], [(a, 2), (a + b, 3)], [a, b]).status
+    'wrong'
+    """
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
         # Each estimate is a linear combination of the measurements, whose weighted errors are

@@ -21,7 +21,20 @@ from workbook.checks.tools.wording import number_text
 
 @judged(Expressions("parameters", length="quantities"))
 def expectations(claims, quantities, vector, law, parameters=()):
-    """Check the means of quantities under the law {value: probability}."""
+    """Check the means of quantities under the law {value: probability}.
+
+    Can decide when the law gives all values with their probabilities; parameters get sample
+    values.
+
+    Examples
+    --------
+    >>> x = sp.Symbol("x")
+    >>> half = sp.Rational(1, 2)
+    >>> checks.expectations([1, 2], [x, x**2], [x], {0: half, 2: half}).status
+    'right'
+    >>> checks.expectations([1, 1], [x, x**2], [x], {0: half, 2: half}).status
+    'wrong'
+    """
     for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
@@ -73,7 +86,19 @@ def covariance(claim, first, second, vector, law, parameters=()):
 
 @judged(Expression("parameters"))
 def correlation(claim, first, second, vector, law, parameters=()):
-    """Check the correlation coefficient of two quantities."""
+    """Check the correlation coefficient of two quantities.
+
+    Can decide when the quantities are linear and the law is a covariance matrix, or for any
+    quantities when the law gives all values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y")
+    >>> checks.correlation(1/sp.sqrt(10), x, y, [x, y], sp.Matrix([[2, 1], [1, 5]])).status
+    'right'
+    >>> checks.correlation(sp.Rational(1, 10), x, y, [x, y], sp.Matrix([[2, 1], [1, 5]])).status
+    'wrong'
+    """
     for values in in_every_case(general_values(parameters), claim):
         covariances, _ = _covariances([first, second], vector, law, values)
         yield SameValue(
@@ -90,6 +115,18 @@ def uncorrelated(claims, first, second, vector, law, angle):
     """Check all angles at which two quantities, linear in the vector, are not correlated.
 
     The angles run from 0 to pi, without pi itself.
+
+    Can decide when the quantities are linear and their covariance has finitely many zeros in the
+    angle.
+
+    Examples
+    --------
+    >>> x, y, a = sp.symbols("x y a", real=True)
+    >>> turned = [x*sp.cos(a) + y*sp.sin(a), y*sp.cos(a) - x*sp.sin(a)]
+    >>> checks.uncorrelated([0, sp.pi/2], *turned, [x, y], sp.diag(1, 3), a).status
+    'right'
+    >>> checks.uncorrelated([0], *turned, [x, y], sp.diag(1, 3), a).status
+    'wrong'
     """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     cross_covariance = (rows[0] * sp.Matrix(law) * rows[1].T)[0]

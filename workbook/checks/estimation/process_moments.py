@@ -40,6 +40,17 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
 
     It is a column in the symbols of the initial state and of the noises; of a single coordinate
     an expression.
+
+    Can decide when the process is linear, in discrete time.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> a, m, u, v = sp.symbols("a m u v")
+    >>> checks.state_after_steps(a**2*m + a*u + v, Process(A=a, Q=1, discrete=True), [m], [u, v], [a]).status
+    'right'
+    >>> checks.state_after_steps(a*m + u + v, Process(A=a, Q=1, discrete=True), [m], [u, v], [a]).status
+    'wrong'
     """
     columns = [
         sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
@@ -118,6 +129,17 @@ def mean_at_time(values, process, time, times=None):
     It is a column; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
+
+    Can decide when the process is linear, at the times and parameters that are tried.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> t, a, m = sp.symbols("t a m", positive=True)
+    >>> checks.mean_at_time(m*sp.exp(-a*t), Process(A=-a, Q=1, mean=m), t, [a, m]).status
+    'right'
+    >>> checks.mean_at_time(m*sp.exp(a*t), Process(A=-a, Q=1, mean=m), t, [a, m]).status
+    'wrong'
     """
     model = processes.at_values(process, values)
     F, _ = processes.transition(model, values[time])
@@ -167,6 +189,18 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
     """Check the correlation coefficient at the time t of two quantities, with the rows `of`.
 
     `times` are those for which the answer is asked, if not for all after the start.
+
+    Can decide when the process is linear, at the times and parameters that are tried.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> t = sp.Symbol("t", positive=True)
+    >>> walk = Process(A=[[0, 1], [0, 0]], Q=[[0, 0], [0, 1]])
+    >>> checks.correlation_at_time(sp.sqrt(3)/2, walk, t, sp.eye(2)).status
+    'right'
+    >>> checks.correlation_at_time(sp.Rational(3, 4), walk, t, sp.eye(2)).status
+    'wrong'
     """
     rows = processes.to_array(of, {})
     correlations = []
@@ -202,6 +236,19 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
     """Check the shaping filter [a, Q, D] of the noise of a `Coloured` process.
 
     The equation is w' = a w + q, with the intensity Q of q and the variance D of w(0).
+
+    Can decide when the correlation is that of a first-order equation; with parameters at sample
+    values.
+
+    Examples
+    --------
+    >>> from workbook.systems import Coloured
+    >>> tau = sp.Symbol("tau", positive=True)
+    >>> wind = Coloured(correlation=8*sp.exp(-tau), delay=tau, C=1)
+    >>> checks.shaping_filter([-1, 16, 8], wind).status
+    'right'
+    >>> checks.shaping_filter([1, 16, 8], wind).status
+    'wrong'
     """
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         D, a = (
@@ -267,6 +314,17 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 
     The process has any initial covariance; what the noise contributes in the limit is not
     counted.
+
+    Can decide when the process is linear; with parameters at sample values.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> a = sp.Symbol("a", positive=True)
+    >>> checks.covariance_exponents([-2*a], Process(A=-a, Q=1), [a]).status
+    'right'
+    >>> checks.covariance_exponents([-a], Process(A=-a, Q=1), [a]).status
+    'wrong'
     """
     process = processes.as_process(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
@@ -339,6 +397,18 @@ def covariance_increases(answer, process, parameters, given=sp.true):
     It is a condition on the parameters; of a single coordinate its variance is meant.
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
+
+    Can decide when the coefficients are polynomials in the parameters; elsewhere the condition is
+    compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process
+    >>> a, p = sp.symbols("a p", positive=True)
+    >>> checks.covariance_increases(2*a*p < 1, Process(A=-a, Q=1, covariance=p), [a, p]).status
+    'right'
+    >>> checks.covariance_increases(a*p < 1, Process(A=-a, Q=1, covariance=p), [a, p]).status
+    'wrong'
     """
     process = processes.as_process(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)

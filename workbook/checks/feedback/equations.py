@@ -54,6 +54,18 @@ def state_space_form(claim, equation):
 
     The form is y' = Ay + Bu, x = Cy, z = Hy, of the order of the equation: in any coordinates,
     with all motions x(t), z(t) of the equation and no others.
+
+    Can decide when the coefficients are exact. Any coordinates are accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import Scalar
+    >>> s = sp.Symbol("s")
+    >>> equation = Scalar(left=s**2 - 1, right=1, measured=1, symbol=s)
+    >>> checks.state_space_form([[[0, 1], [1, 0]], [0, 1], [1, 0], [1, 0]], equation).status
+    'right'
+    >>> checks.state_space_form([[[0, 1], [-1, 0]], [0, 1], [1, 0], [1, 0]], equation).status
+    'wrong'
     """
     yield from _comparisons(claim, equation)
     return "its motions are those of the equation, all of them, and z is what is measured"
@@ -66,6 +78,20 @@ def equation_gains(claim, equation):
     The form is that of `state_space_form`, the feedback u = K e, e' = Ae + Bu + L(z - He). The
     gains have to stabilise and, where a mode that no gain changes bounds the degree of stability, to do so
     with the greatest one.
+
+    Can decide when the coefficients are exact. Any coordinates and any stabilising gains are
+    accepted, unless a mode bounds the degree of stability.
+
+    Examples
+    --------
+    >>> from workbook.systems import Scalar
+    >>> s = sp.Symbol("s")
+    >>> equation = Scalar(left=s**2 - 1, right=1, measured=1, symbol=s)
+    >>> form = [[[0, 1], [1, 0]], [0, 1], [1, 0], [1, 0]]
+    >>> checks.equation_gains([*form, [-2, -2], [2, 2]], equation).status
+    'right'
+    >>> checks.equation_gains([*form, [-2, 0], [2, 2]], equation).status
+    'wrong'
     """
     *form, K, L = claim
     A, B, _, H = form

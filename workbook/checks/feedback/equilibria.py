@@ -55,6 +55,17 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
 
     Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros
     as the right-hand sides without a control, all simple.
+
+    Can decide when the equilibria without a control are simple zeros of the right-hand sides, or
+    of the `zeros`.
+
+    Examples
+    --------
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> checks.equilibrium_gains([[(0, 0), [-2, -2]]], [v, x + u], [x, v], [u]).status
+    'right'
+    >>> checks.equilibrium_gains([[(0, 0), [0, -2]]], [v, x + u], [x, v], [u]).status
+    'wrong'
     """
     flow = cached_field(tuple(field), (*state, *controls))
     uncontrolled = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]

@@ -48,12 +48,13 @@ def gain_region(answer, system, gain, parameters, degree=0):
     >>> from workbook.systems import Linear
     >>> k1, k2 = sp.symbols("k1 k2", real=True)
     >>> cart = Linear(A=[[0, 1], [0, 0]], B=[[0], [1]])
-    >>> checks.gain_region((k1 < 0) & (k2 < 0), cart, sp.Matrix([[k1, k2]]), [k1, k2]).status
+    >>> checks.gain_region((k1 < 0) & (k2 < 0), cart, [[k1, k2]], [k1, k2]).status
     'right'
-    >>> checks.gain_region(k1 < 0, cart, sp.Matrix([[k1, k2]]), [k1, k2]).status
+    >>> checks.gain_region(k1 < 0, cart, [[k1, k2]], [k1, k2]).status
     'wrong'
     """
     loop, _ = loop_of(system)
+    gain = sp.Matrix(gain) if isinstance(gain, list) else gain
     property_name = "stable" if isinstance(system, Scalar) or system.B else "convergent"
     return compare_region(answer, loop(gain), parameters, property_name, degree)
 
@@ -126,6 +127,17 @@ def undetectable_mode(answer, system, parameters=()):
     It satisfies A v = lambda v, H v = 0, Re lambda >= 0.
 
     With parameters: for all their values, zero too where it is allowed.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[1, 0], [0, -2]], H=[[0, 1]])
+    >>> checks.undetectable_mode({1: [1, 0]}, pair).status
+    'right'
+    >>> checks.undetectable_mode({}, pair).status
+    'wrong'
     """
     if not isinstance(answer, dict):
         raise Invalid(

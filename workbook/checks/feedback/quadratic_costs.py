@@ -172,7 +172,21 @@ def _cost_message(regulator, values):
     samples=at_symbols("start", count=2 * COUNT),
 )
 def least_quadratic_cost(values, problem, start):
-    """Check the least cost from an initial state at the time 0, in its symbols."""
+    """Check the least cost from an initial state at the time 0, in its symbols.
+
+    Can decide when the problem has a law of least cost; initial states and parameters get sample
+    values.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> x = sp.Symbol("x")
+    >>> checks.least_quadratic_cost(3*x**2, problem, [x]).status
+    'right'
+    >>> checks.least_quadratic_cost(x**2, problem, [x]).status
+    'wrong'
+    """
     regulator = regulators.Regulator(problem, values)
     least, x = regulator.least(), np.array([float(values[s]) for s in start])
     return Truth(regulator.factor * x @ least @ x, regulator.factor * abs(x) @ abs(least) @ abs(x))
@@ -231,6 +245,19 @@ def optimal_limit_state(values, problem, start):
     """Check the limit of the state under the law of least cost.
 
     It is a column in the symbols of the initial state.
+
+    Can decide when every state has a limit under the law of least cost, at sample values of
+    initial state and parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> x = sp.Symbol("x")
+    >>> checks.optimal_limit_state([0], problem, [x]).status
+    'right'
+    >>> checks.optimal_limit_state([x], problem, [x]).status
+    'wrong'
     """
     from scipy.linalg import null_space
 
@@ -248,6 +275,19 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     """Check the right-hand side of the Riccati equation S' = ... of the cost.
 
     It is a matrix in the symbols of S, which are the `cost`.
+
+    Can decide when the weight of the control is invertible, at sample values of the parameters and
+    of the cost matrix.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> s = sp.Symbol("s")
+    >>> checks.cost_riccati_equation(s**2 - 2*s - 3, problem, sp.Matrix([[s]])).status
+    'right'
+    >>> checks.cost_riccati_equation(s**2 + 2*s - 3, problem, sp.Matrix([[s]])).status
+    'wrong'
     """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     units = regulators.cost_units(problem)
@@ -290,6 +330,19 @@ def steady_cost(values, problem, process):
 
     The control u may depend on the measurements of the process; on the state itself if the
     process has none.
+
+    Can decide when the loop with the best gains has a stationary covariance; with parameters at
+    sample values.
+
+    Examples
+    --------
+    >>> from workbook.systems import Quadratic
+    >>> problem = Quadratic(A=1, B=1, G=3, N=1)
+    >>> from workbook.systems import Process
+    >>> checks.steady_cost(6, problem, Process(A=1, Q=2)).status
+    'right'
+    >>> checks.steady_cost(3, problem, Process(A=1, Q=2)).status
+    'wrong'
     """
     from scipy.linalg import solve_continuous_lyapunov
 

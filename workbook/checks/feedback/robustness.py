@@ -136,6 +136,17 @@ def phase_margin(claim, loop, K=None, L=None, process=None, parameters=(), given
     """Check the smallest phase shift, in radians, with which the loop is not asymptotically stable.
 
     It shifts the phase of L at all frequencies alike, to either side; oo if none does.
+
+    Can decide when the loop is a rational function with numbers, or at sample values of its
+    parameters.
+
+    Examples
+    --------
+    >>> s = sp.Symbol("s")
+    >>> checks.phase_margin(sp.oo, 1/(2*s + 2)).status
+    'right'
+    >>> checks.phase_margin(1, 1/(2*s + 2)).status
+    'wrong'
     """
     for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
 
@@ -152,6 +163,17 @@ def delay_margin(claim, loop, K=None, L=None, process=None, parameters=(), given
     """Check the smallest delay of the control with which the loop is not asymptotically stable.
 
     It is oo if there is none.
+
+    Can decide when the loop is a rational function with numbers, or at sample values of its
+    parameters.
+
+    Examples
+    --------
+    >>> s = sp.Symbol("s")
+    >>> checks.delay_margin(sp.pi/2, 1/s).status
+    'right'
+    >>> checks.delay_margin(1, 1/s).status
+    'wrong'
     """
     for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
 
@@ -164,7 +186,19 @@ def delay_margin(claim, loop, K=None, L=None, process=None, parameters=(), given
 
 @judged(Expression("parameters"))
 def disk_margin(claim, loop, K=None, L=None, process=None, parameters=(), given=sp.true):
-    """Check the disk margin, the distance min |1 + L(i omega)| of the Nyquist curve from -1."""
+    """Check the disk margin, the distance min |1 + L(i omega)| of the Nyquist curve from -1.
+
+    Can decide when the loop is a rational function with numbers, or at sample values of its
+    parameters.
+
+    Examples
+    --------
+    >>> s = sp.Symbol("s")
+    >>> checks.disk_margin(1, 1/s).status
+    'right'
+    >>> checks.disk_margin(2, 1/s).status
+    'wrong'
+    """
     for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
 
         def failure(distance):

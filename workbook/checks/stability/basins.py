@@ -34,6 +34,17 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
     """Check the largest level c that V proves for the basin of attraction.
 
     The part of {V < c} around zero belongs to the basin; for a larger level V does not prove this.
+
+    Can decide when the level lines of V about zero are closed curves in the plane; with parameters
+    at sample values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.basin_level(sp.Rational(1, 2), (x**2 + y**2)/2, [y, -x + y*(x**2 - 1)], [x, y]).status
+    'right'
+    >>> checks.basin_level(1, (x**2 + y**2)/2, [y, -x + y*(x**2 - 1)], [x, y]).status
+    'wrong'
     """
     directions = unit_directions(len(state))
     for values, level, equilibria, rate, largest in _stable_systems(
@@ -94,6 +105,17 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
     boundary is a level line of V, inside V' <= 0 and no other equilibrium, and a slightly
     higher level breaks one of these. The set may contain the parameters; where V < c has parts
     away from zero, it has to leave them out.
+
+    Can decide when the level lines of V about zero are closed curves in the plane; with parameters
+    at sample values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.basin_estimate(x**2 + y**2 < 1, (x**2 + y**2)/2, [y, -x + y*(x**2 - 1)], [x, y]).status
+    'right'
+    >>> checks.basin_estimate(x**2 + y**2 < 4, (x**2 + y**2)/2, [y, -x + y*(x**2 - 1)], [x, y]).status
+    'wrong'
     """
     directions = unit_directions(len(state))
     for values, level, equilibria, rate, largest in _stable_systems(

@@ -45,6 +45,16 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
 
     The values are judged by the characteristic polynomial, the last number by the rank of A -
     lambda I.
+
+    Can decide when the coefficients are constant and exact.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.eigenvalue_multiplicities([[0, 2, 1]], [y, 0], [x, y], []).status
+    'right'
+    >>> checks.eigenvalue_multiplicities([[0, 2, 2]], [y, 0], [x, y], []).status
+    'wrong'
     """
     rows = _rows(answer, parameters)
     for values, matrix in _matrices(
@@ -128,6 +138,18 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     """Check the parameters for which x = 0 of a linear system is stable.
 
     This includes asymptotic stability.
+
+    Can decide when the coefficients are constant; the condition is compared with the motions at
+    sample parameters, and on its border.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> b = sp.Symbol("b", real=True)
+    >>> checks.stable_parameters(b >= 0, [y, -x - b*y], [x, y], [b]).status
+    'right'
+    >>> checks.stable_parameters(b > 0, [y, -x - b*y], [x, y], [b]).status
+    'wrong'
     """
     at = _linear_part(field, state, parameters, program, part)
 
@@ -146,7 +168,20 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
 
 @judged
 def unbounded_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
-    """Check a motion x(t) of x' = A x that grows without bound and so proves instability."""
+    """Check a motion x(t) of x' = A x that grows without bound and so proves instability.
+
+    Can decide when the system is linear: the equations are tried at sample times, the growth far
+    out.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> t = sp.Symbol("t", positive=True)
+    >>> checks.unbounded_motion([t, 1], [y, 0], [x, y], [], t).status
+    'right'
+    >>> checks.unbounded_motion([t, 2], [y, 0], [x, y], [], t).status
+    'wrong'
+    """
     part = list(state if part is None else part)
     motion = coercion.as_expressions(answer, [time, *constants, *parameters], len(part))
     rates = [sp.diff(component, time) for component in motion]
@@ -194,7 +229,20 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
 
 @judged
 def limit_state(answer, field, state, parameters, start, program=None, part=None):
-    """Check the limit of x(t) for t to infinity, a linear function of the initial state `start`."""
+    """Check the limit of x(t) for t to infinity, a linear function of the initial state `start`.
+
+    Can decide when the linear system has a limit for every initial state; with parameters at
+    sample values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> x0, y0 = sp.symbols("x0 y0", real=True)
+    >>> checks.limit_state([x0 + y0, 0], [y, -y], [x, y], [], [x0, y0]).status
+    'right'
+    >>> checks.limit_state([x0, 0], [y, -y], [x, y], [], [x0, y0]).status
+    'wrong'
+    """
     part = list(state if part is None else part)
     limit = coercion.as_expressions(answer, [*start, *parameters], len(part))
     for values, matrix in _matrices(field, state, parameters, program, part, limit):
@@ -224,6 +272,17 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
     """Check a positive definite quadratic form that is constant along all motions.
 
     The motions are those of the linear system.
+
+    Can decide when the system is linear: the derivative along the motions is compared as an
+    identity.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.conserved_quadratic_form(x**2 + y**2, [y, -x], [x, y], []).status
+    'right'
+    >>> checks.conserved_quadratic_form(x**2 + 2*y**2, [y, -x], [x, y], []).status
+    'wrong'
     """
     part = list(state if part is None else part)
     form = coercion.as_expression(answer, [*part, *parameters])

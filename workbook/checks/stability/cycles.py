@@ -29,7 +29,19 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 
 @judged(Expressions("polar", length=2))
 def polar_form(rates, field, state, polar):
-    """Check the pair (r', phi') of a planar system, in the polar coordinates `polar`."""
+    """Check the pair (r', phi') of a planar system, in the polar coordinates `polar`.
+
+    Can decide when the field has values at random points, where both rates are compared.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> r, phi = sp.symbols("r phi", positive=True)
+    >>> checks.polar_form([-r, -1], [y - x, -x - y], [x, y], [r, phi]).status
+    'right'
+    >>> checks.polar_form([r, -1], [y - x, -x - y], [x, y], [r, phi]).status
+    'wrong'
+    """
     flow = cached_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
@@ -56,6 +68,17 @@ def radial_motion(claim, field, state, time, start):
 
     For fields whose r' does not depend on the angle. Judged by substitution: the initial value
     and the rate of change.
+
+    Can decide when the rate of r does not depend on the angle; five motions are tried.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> t, r0 = sp.symbols("t r0", positive=True)
+    >>> checks.radial_motion(r0*sp.exp(-t), [y - x, -x - y], [x, y], t, r0).status
+    'right'
+    >>> checks.radial_motion(r0*(1 - t), [y - x, -x - y], [x, y], t, r0).status
+    'wrong'
     """
     slope = sp.diff(claim, time)
     flow = cached_field(tuple(field), tuple(state))
@@ -85,7 +108,19 @@ def radial_motion(claim, field, state, time, start):
 
 @judged
 def limit_cycles(answer, field, state):
-    """Check the radii of all limit cycles that are circles around zero."""
+    """Check the radii of all limit cycles that are circles around zero.
+
+    Can decide when the cycles are circles about zero.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> size = x**2 + y**2 - 4
+    >>> checks.limit_cycles([2], [y - x*size, -x - y*size], [x, y]).status
+    'right'
+    >>> checks.limit_cycles([2, 4], [y - x*size, -x - y*size], [x, y]).status
+    'wrong'
+    """
     flow = cached_field(tuple(field), tuple(state))
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
@@ -154,6 +189,18 @@ def cycle_stability(answer, field, state, radius=None):
 
     It is the only one, or the one of radius `radius`. Judged by motions that start a little inside
     and a little outside of it.
+
+    Can decide when motions that start near the cycle move away or towards it within the time for
+    which they are followed.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> size = x**2 + y**2 - 1
+    >>> checks.cycle_stability("stable", [y - x*size, -x - y*size], [x, y]).status
+    'right'
+    >>> checks.cycle_stability("unstable", [y - x*size, -x - y*size], [x, y]).status
+    'wrong'
     """
     # "semi-stable" is accepted too.
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
@@ -190,6 +237,17 @@ def cycle_period(claim, radial, angular, radius, parameters):
     """Check the period of the closed orbit of r' = R(r), phi' = W(r).
 
     In one period the angle grows by 2 pi at the rate W.
+
+    Can decide when the rates depend on the radius alone and there is one closed orbit; with
+    parameters at sample values.
+
+    Examples
+    --------
+    >>> r = sp.Symbol("r", positive=True)
+    >>> checks.cycle_period(sp.pi, r*(1 - r**2), 1 + r, r, []).status
+    'right'
+    >>> checks.cycle_period(2*sp.pi, r*(1 - r**2), 1 + r, r, []).status
+    'wrong'
     """
     family = equilibria_of([radial], [radius], parameters, _positive_domain(radius))
     angular_rate = equilibria_of([angular], [radius], parameters, _positive_domain(radius))
@@ -226,6 +284,17 @@ def return_map_slope(claim, field, state, radius=None):
 
     Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over
     one turn.
+
+    Can decide when the cycle is a circle about zero.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> size = x**2 + y**2 - 1
+    >>> checks.return_map_slope(sp.exp(-4*sp.pi), [y - x*size, -x - y*size], [x, y]).status
+    'right'
+    >>> checks.return_map_slope(1, [y - x*size, -x - y*size], [x, y]).status
+    'wrong'
     """
     flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)

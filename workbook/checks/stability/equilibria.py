@@ -58,6 +58,16 @@ def nullcline(answer, rate, variable, parameters, domain=None):
     """Check the curve on which `rate` vanishes, solved for `variable`.
 
     The other state variables count as parameters.
+
+    Can decide when the rate has simple zeros in the variable; the other symbols get sample values.
+
+    Examples
+    --------
+    >>> v, p = sp.symbols("v p", positive=True)
+    >>> checks.nullcline(sp.sqrt(p), p - v**2, v, [p]).status
+    'right'
+    >>> checks.nullcline(p, p - v**2, v, [p]).status
+    'wrong'
     """
     family = equilibria_of([rate], [variable], parameters, domain)
     return _judge_points(answer, family, "point of the curve", family)

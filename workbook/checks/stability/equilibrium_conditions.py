@@ -31,7 +31,20 @@ KINDS = {
 
 @judged
 def equilibrium_exists(answer, field, state, parameters, domain=None):
-    """Check the parameters for which there is an equilibrium in the domain."""
+    """Check the parameters for which there is an equilibrium in the domain.
+
+    Can decide when the field is made of polynomials in the state and the parameters, or is
+    periodic in an angle; elsewhere the condition is compared at points.
+
+    Examples
+    --------
+    >>> r = sp.Symbol("r", positive=True)
+    >>> u = sp.Symbol("u", real=True)
+    >>> checks.equilibrium_exists(u > 2, [r*(u - 2) - r**3], [r], [u], {r: sp.Interval.open(0, sp.oo)}).status
+    'right'
+    >>> checks.equilibrium_exists(u >= 2, [r*(u - 2) - r**3], [r], [u], {r: sp.Interval.open(0, sp.oo)}).status
+    'wrong'
+    """
     family = equilibria_of(field, state, parameters, domain)
 
     def at(values):
@@ -59,6 +72,18 @@ def unique_equilibrium(answer, field, state, parameters):
     """Check the parameters for which x' = f(x) has one equilibrium only.
 
     The right-hand side f is a polynomial; its real roots are counted exactly.
+
+    Can decide when the right-hand sides are polynomials: real roots are counted for all
+    parameters.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> b = sp.Symbol("b", real=True)
+    >>> checks.unique_equilibrium(b >= 0, [y, -x - b*x**3 - y], [x, y], [b]).status
+    'right'
+    >>> checks.unique_equilibrium(b > 0, [y, -x - b*x**3 - y], [x, y], [b]).status
+    'wrong'
     """
     *kinematic, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
     if any(second != 0 for second in kinematic):
@@ -93,6 +118,18 @@ def equilibrium_condition(answer, field, state, parameters, domain=None, kind=No
     parameters without an equilibrium. Without a domain all equilibria that are no saddles have to be of
     the kind. With the symbol `angle` it is a condition on an equilibrium (angle, 0), whose borders are
     judged.
+
+    Can decide when the coefficients of the linearisation are polynomials in the parameters, or
+    functions of them that become so; elsewhere the condition is compared at points.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> e = sp.Symbol("e", real=True)
+    >>> checks.equilibrium_condition(sp.Abs(e) < 2, [y, e*y - x], [x, y], [e], kind="focus").status
+    'right'
+    >>> checks.equilibrium_condition(e < 2, [y, e*y - x], [x, y], [e], kind="focus").status
+    'wrong'
     """
     family = equilibria_of(field, state, parameters, domain)
     noun = kind if kind.endswith("stable") else with_article(kind)

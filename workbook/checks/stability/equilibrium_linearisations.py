@@ -145,6 +145,19 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
 
     `angle` is the symbol of the equilibrium, `deviations` those of psi and psi'. It is judged at
     equilibria only, so that the answer may use the equation f(angle, 0) = 0.
+
+    Can decide when the right-hand side is differentiable at the equilibria, for the parameters
+    tried.
+
+    Examples
+    --------
+    >>> phi, rate, phi0, psi, dpsi = sp.symbols("phi rate phi0 psi dpsi", real=True)
+    >>> g = sp.Symbol("g", positive=True)
+    >>> field = [rate, -rate - g*sp.sin(phi)]
+    >>> checks.angle_linearisation(-dpsi - g*psi*sp.cos(phi0), field, [phi, rate], [g], phi0, [psi, dpsi]).status
+    'right'
+    >>> checks.angle_linearisation(-g*psi*sp.cos(phi0), field, [phi, rate], [g], phi0, [psi, dpsi]).status
+    'wrong'
     """
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(
@@ -224,6 +237,16 @@ def spectra(answer, field, state):
 
     Judged by the characteristic determinant det(lambda I - A) at the numbers given, and by
     their sum, the trace of A.
+
+    Can decide when the equilibria are simple zeros of the field.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.spectra([0, 0, sp.I, -sp.I], [y, -x], [x, y]).status
+    'right'
+    >>> checks.spectra([0, 0, 1, -1], [y, -x], [x, y]).status
+    'wrong'
     """
     family, numbers = equilibria_of(field, state), np.zeros(0)
     (missed,) = family.points(numbers[:, None])

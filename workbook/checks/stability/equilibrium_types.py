@@ -33,6 +33,17 @@ def equilibrium_stability(claim, field, state, parameters, domain=None):
     """Check whether the equilibrium is asymptotically stable, stable or unstable.
 
     The word "stable" means stable but not asymptotically; Theorem 1.4 decides.
+
+    Can decide when the domain holds one equilibrium whose linearisation has no eigenvalue on the
+    imaginary axis; with parameters at sample values.
+
+    Examples
+    --------
+    >>> v, ahead = sp.Symbol("v", positive=True), sp.Interval.open(0, sp.oo)
+    >>> checks.equilibrium_stability("asymptotically stable", [1 - v**2], [v], [], {v: ahead}).status
+    'right'
+    >>> checks.equilibrium_stability("unstable", [1 - v**2], [v], [], {v: ahead}).status
+    'wrong'
     """
     family = equilibria_of(field, state, parameters, domain)
     for values, numbers, point in family.samples():
@@ -81,6 +92,16 @@ def equilibrium_types(answer, field, state):
     """Check the type of every equilibrium of a second-order equation, a dict {x*: word}.
 
     The words are `KINDS`.
+
+    Can decide when every equilibrium has a type that its linearisation determines.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.equilibrium_types({0: "stable focus", 2: "saddle", -2: "saddle"}, [y, x**3/4 - x - y], [x, y]).status
+    'right'
+    >>> checks.equilibrium_types({0: "stable focus"}, [y, x**3/4 - x - y], [x, y]).status
+    'wrong'
     """
     ((_, family, numbers, equilibria),) = equilibria_within_reach(field, state)
     remaining = list(equilibria)
@@ -119,6 +140,16 @@ def saddle_slopes(answer, field, state):
 
     Judged by the direction of the field close to each saddle: along these lines it points to or
     away from it.
+
+    Can decide when all saddles have the same slopes, those of their linearisation.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.saddle_slopes([1, -1], [y, x - x**3], [x, y]).status
+    'right'
+    >>> checks.saddle_slopes([-1, 1], [y, x - x**3], [x, y]).status
+    'wrong'
     """
     claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
     ((_, family, numbers, equilibria),) = equilibria_within_reach(field, state)

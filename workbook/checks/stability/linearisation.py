@@ -43,6 +43,20 @@ def linearisation_unstable(answer, system, parameters):
     """Check the parameters for which a linearisation has an eigenvalue with positive real part.
 
     The linearisation is that of the equations in `Deviations`.
+
+    Can decide when the coefficients of the linearisation are polynomials in the parameters;
+    elsewhere the condition is compared with the roots at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Deviations
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> e = sp.Symbol("e", real=True)
+    >>> origin = Deviations([y, e*y - x], [x, y], {x: 0, y: 0})
+    >>> checks.linearisation_unstable(e > 0, origin, [e]).status
+    'right'
+    >>> checks.linearisation_unstable(e >= 0, origin, [e]).status
+    'wrong'
     """
     return compare_region(
         answer,
@@ -61,6 +75,17 @@ def zero_solution_stability(claim, field, state):
 
     Decided by the spectrum of the linearisation; where that is inconclusive, by motions that
     start close to zero.
+
+    Can decide when the linearisation has no eigenvalue on the imaginary axis; elsewhere motions
+    that start close to zero are followed.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.zero_solution_stability("asymptotically stable", [y, -x - y], [x, y]).status
+    'right'
+    >>> checks.zero_solution_stability("unstable", [y, -x - y], [x, y]).status
+    'wrong'
     """
     flow = cached_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)

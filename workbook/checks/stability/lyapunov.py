@@ -71,6 +71,16 @@ def vanishing_set(answer, function, field, state, parameters=()):
     """Check the set of states where the derivative of V along the motions is zero.
 
     It is asked for parameters that are not zero.
+
+    Can decide when V and the field are polynomials; elsewhere the set is compared at points.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.vanishing_set(sp.Eq(y, 0), x**2 + y**2, [y, -x - y], [x, y]).status
+    'right'
+    >>> checks.vanishing_set(sp.Eq(x, 0), x**2 + y**2, [y, -x - y], [x, y]).status
+    'wrong'
     """
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     (sample,) = sample_values(parameters, count=1) if parameters else ({},)
@@ -103,6 +113,17 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
     This rate takes a motion out of the set (Theorem 1.5).
 
     Judged at states of the set alone, so terms that vanish on it may stay or go.
+
+    Can decide when V, the field and the answer are polynomials; others are compared at points of
+    the set.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.rate_on_vanishing_set(-x, x**2 + y**2, [y, -x - y], [x, y]).status
+    'right'
+    >>> checks.rate_on_vanishing_set(0, x**2 + y**2, [y, -x - y], [x, y]).status
+    'wrong'
     """
     symbols = [*state, *parameters]
     claim, true = coercion.as_expression(answer, symbols), sp.sympify(field[-1])
@@ -133,6 +154,18 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
     That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays
     where it vanishes is the responsibility of the author of the problem). Values that the
     assumptions of a parameter exclude are not judged.
+
+    Can decide when V and the field are polynomials near zero: then for all parameters; elsewhere
+    the condition is compared at points.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> d = sp.Symbol("d", real=True)
+    >>> checks.asymptotic_stability_by_lyapunov(d > 0, x**2 + y**2, [y, -x - d*y], [x, y], [d]).status
+    'right'
+    >>> checks.asymptotic_stability_by_lyapunov(d >= 0, x**2 + y**2, [y, -x - d*y], [x, y], [d]).status
+    'wrong'
     """
     circle = 0.1 * unit_directions(len(state))
     level, rate = numeric(function, state, parameters), rate_of(function, field, state, parameters)
@@ -162,6 +195,18 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
     That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not
     identically (that no motion stays where it vanishes is the responsibility of the author of the
     problem). Other symbols get values that satisfy `given`.
+
+    Can decide when V and its derivative are polynomials; elsewhere the condition is compared at
+    points.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> d = sp.Symbol("d", real=True)
+    >>> checks.global_stability_by_lyapunov(d > 0, x**2 + y**2, [y, -x - d*y], [x, y], [d]).status
+    'right'
+    >>> checks.global_stability_by_lyapunov(d >= 0, x**2 + y**2, [y, -x - d*y], [x, y], [d]).status
+    'wrong'
     """
     other_symbols = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {
         *state,

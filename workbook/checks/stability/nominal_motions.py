@@ -31,6 +31,17 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
     The answer is a dict by names, or a list with the controls last.
 
     Judged by the equations and by what the program prescribes, at random times and parameters.
+
+    Can decide when the functions are differentiable, at random times and parameters.
+
+    Examples
+    --------
+    >>> x, v, u = sp.symbols("x v u")
+    >>> t, c = sp.symbols("t c", positive=True)
+    >>> checks.nominal_motion([c*t, c, c], [v, u - v], [x, v], [c], {x: c*t}, [u], t).status
+    'right'
+    >>> checks.nominal_motion([c*t, c, 0], [v, u - v], [x, v], [c], {x: c*t}, [u], t).status
+    'wrong'
     """
     names = [*state, *controls]
     motion = dict(

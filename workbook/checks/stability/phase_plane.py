@@ -30,6 +30,17 @@ def dulac_function(answer, field, state, parameters, domain=None):
     """Check a pair (B, div(B f)) whose second member has one sign in the domain.
 
     Then no closed orbit lies in the domain (Dulac, Bendixson).
+
+    Can decide when the domain is given by intervals: the sign of the divergence is compared at
+    points in it.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.dulac_function([1, -1], [y, -sp.sin(x) - y], [x, y], []).status
+    'right'
+    >>> checks.dulac_function([1, 1], [y, -sp.sin(x) - y], [x, y], []).status
+    'wrong'
     """
     symbols = [*state, *parameters]
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)

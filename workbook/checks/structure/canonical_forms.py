@@ -76,6 +76,17 @@ def canonical_matrix(claim, system, parameters=()):
     With an output the form is that by observation (2.5), determined by its first column; with a
     control that by control (2.4), determined by its last row: ones above the diagonal, and the
     eigenvalues of A.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 1], [2, 1]], H=[[1, 1]])
+    >>> checks.canonical_matrix([[1, 1], [2, 0]], pair).status
+    'right'
+    >>> checks.canonical_matrix([[1, 1], [-2, 0]], pair).status
+    'wrong'
     """
     if has_control(system):
         return judge_form(claim.T[::-1, ::-1], controlled_pair(system, parameters), BY_CONTROL)
@@ -121,6 +132,17 @@ def chain_basis_matrix(claim, system, parameters=()):
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
     eigenvalues of A demand.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> plant = Linear(A=[[0, 1], [2, 1]], B=[[0], [1]])
+    >>> checks.chain_basis_matrix([[0, 2], [1, 1]], plant).status
+    'right'
+    >>> checks.chain_basis_matrix([[0, 2], [1, -1]], plant).status
+    'wrong'
     """
     pair = controlled_pair(system, parameters)
     if pair.outputs != 1 or any(pair.unobservable):
@@ -133,6 +155,17 @@ def canonical_part_coordinates(claim, system, parameters=()):
     """Check the coordinates xi = F x of the observable part in the canonical form (2.5).
 
     F has as many rows as N has rank (F: rank N x n, A: n x n, H: 1 x n).
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[4, 0], [0, 7]], H=[[1, 0]])
+    >>> checks.canonical_part_coordinates([[1, 0]], pair).status
+    'right'
+    >>> checks.canonical_part_coordinates([[0, 1]], pair).status
+    'wrong'
     """
     if claim.cols != system.A.rows:
         raise Invalid(

@@ -41,6 +41,17 @@ def sequential_decomposition(claim, system):
     part i contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those
     before. With a control it is P of x = P xi: the derivatives of part i contain the parts from
     i on; u_i enters part i alone, unless it adds nothing.
+
+    Can decide when the entries are exact numbers.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[1, 0], [0, 2]], H=[[0, 1], [1, 0]])
+    >>> checks.sequential_decomposition([[0, 1], [1, 0]], pair).status
+    'right'
+    >>> checks.sequential_decomposition([[1, 0], [0, 1]], pair).status
+    'wrong'
     """
     return _judge_components(claim, system, sequential=True)
 
@@ -56,6 +67,17 @@ def parallel_decomposition(claim, system):
     Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ...
     (columns b1, b2, A b1, ...) are taken by turns while independent, each up to those with
     lower powers of A.
+
+    Can decide when the entries are exact numbers.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=sp.zeros(2), H=[[0, 1], [1, 0]])
+    >>> checks.parallel_decomposition([[0, 1], [1, 0]], pair).status
+    'right'
+    >>> checks.parallel_decomposition([[1, 0], [0, 1]], pair).status
+    'wrong'
     """
     return _judge_components(claim, system, sequential=False)
 

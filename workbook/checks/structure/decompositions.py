@@ -91,13 +91,37 @@ def decomposed_system(answer, system, parameters=()):
     """Check the system [A', H'] or [A', B'] in coordinates (xi; eta), as in (2.7) or (2.6).
 
     Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters. Any
+    right coordinates are accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 1], [1, 0]], H=[[1, 1]])
+    >>> checks.decomposed_system(([[1, 0], [1, -1]], [1, 0]), pair).status
+    'right'
+    >>> checks.decomposed_system(([[0, 1], [1, 0]], [1, 1]), pair).status
+    'wrong'
     """
     return judge_system(*by_equations(answer, system, parameters))
 
 
 @judged
 def canonical_observable_part(answer, system, parameters=()):
-    """Check the observable subsystem [A11, H1] in the canonical form (2.5), H1 = (1 0 ... 0)."""
+    """Check the observable subsystem [A11, H1] in the canonical form (2.5), H1 = (1 0 ... 0).
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=[[0, 1, 0], [1, 1, 1], [1, 0, 1]], H=[[0, 1, 0]])
+    >>> checks.canonical_observable_part([[[2, 1], [0, 0]], [1, 0]], pair).status
+    'right'
+    >>> checks.canonical_observable_part([[[0, 1], [0, 2]], [1, 0]], pair).status
+    'wrong'
+    """
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
     pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
@@ -116,6 +140,18 @@ def similarity_matrix(claim, system, other, parameters=()):
     """Check a matrix S of y = S x that turns x' = A x into the `other` system y' = A' y.
 
     The other system may be in `Deviations`; S is invertible and S A = A' S (all n x n).
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters. Any
+    right matrix is accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> one, other = Linear(A=[[0, 1], [2, 1]]), Linear(A=[[2, 0], [0, -1]])
+    >>> checks.similarity_matrix([[1, 1], [2, -1]], one, other).status
+    'right'
+    >>> checks.similarity_matrix([[1, 0], [0, 1]], one, other).status
+    'wrong'
     """
     A_from, A_to = system.A, matrix_of(other, parameters)
     tolerance = relative_tolerance(claim)

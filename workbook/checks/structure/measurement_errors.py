@@ -29,6 +29,18 @@ def augmented_system(answer, system, parameters=(), own=False):
 
     The error has as few coordinates as possible, in any scale and combination; or those of S
     and c themselves, where these are the error's `own`.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters. Any
+    coordinates of the error are accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import WithError
+    >>> biased = WithError(A=[[0, 1], [0, 0]], H=[[1, 0]], S=[[0]], c=[[1]], start=[[1]])
+    >>> checks.augmented_system([[[0, 1, 0], [0, 0, 0], [0, 0, 0]], [[1, 0, 1]]], biased).status
+    'right'
+    >>> checks.augmented_system([[[0, 1, 1], [0, 0, 0], [0, 0, 0]], [[1, 0, 1]]], biased).status
+    'wrong'
     """
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid(

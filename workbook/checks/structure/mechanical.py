@@ -61,6 +61,17 @@ def mechanical_eigenvalues(claim, system, parameters=()):
     """Check the different roots of det(M lambda^2 + D lambda + K), also complex ones.
 
     M is invertible; with parameters the roots are asked for their values in general position.
+
+    Can decide when the entries are exact numbers; parameters are taken in general position.
+
+    Examples
+    --------
+    >>> from workbook.systems import Mechanical
+    >>> spring = Mechanical(M=[[2]], D=[[0]], K=[[8]], L=[[1]])
+    >>> checks.mechanical_eigenvalues([2*sp.I, -2*sp.I], spring).status
+    'right'
+    >>> checks.mechanical_eigenvalues([2, -2], spring).status
+    'wrong'
     """
     pair = observed_pair(system, parameters)
     samples = pair.samples_for(claim)

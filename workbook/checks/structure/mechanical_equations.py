@@ -33,7 +33,20 @@ def _like(name):
     system="Mechanical",
 )
 def mechanical_equations(claim, system, parameters=()):
-    """Check the matrices [M, K, L] of the equations M q'' + K q = L u of a `Mechanical` system."""
+    """Check the matrices [M, K, L] of the equations M q'' + K q = L u of a `Mechanical` system.
+
+    Can decide when M, K and L hold numbers or parameters, which get sample values. A factor of an
+    equation does not matter.
+
+    Examples
+    --------
+    >>> from workbook.systems import Mechanical
+    >>> spring = Mechanical(M=[[2]], D=[[0]], K=[[8]], L=[[1]])
+    >>> checks.mechanical_equations([[[1]], [[4]], [sp.Rational(1, 2)]], spring).status
+    'right'
+    >>> checks.mechanical_equations([[[2]], [[4]], [1]], spring).status
+    'wrong'
+    """
     if system.M.det().is_zero:
         raise UnsuitableData("system: expected an M that has an inverse")
     for values in in_every_case(general_values(parameters), claim):

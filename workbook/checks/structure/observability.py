@@ -78,6 +78,19 @@ def unobservable_parameters(answer, system, parameters):
     """Check the condition on the parameters under which the system is not observable.
 
     A set or a list of values of the only parameter is accepted as well.
+
+    Can decide when the entries are polynomials in the parameters, at isolated values too;
+    elsewhere the condition is compared at points.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> k = sp.Symbol("k", real=True)
+    >>> pair = Linear(A=[[1, 0], [0, 2]], H=[[k, 1]])
+    >>> checks.unobservable_parameters([0], pair, [k]).status
+    'right'
+    >>> checks.unobservable_parameters([1], pair, [k]).status
+    'wrong'
     """
     return judge_region(answer, observed_pair(system, parameters), words(system), holds=False)
 

@@ -20,6 +20,19 @@ def measured_quantity(claim, system, known, quantities):
 
     The rows are those of the system `known`; of one in `Deviations` they are {name: expression
     in its state} and stand for the deviations of these.
+
+    Can decide when no two of the quantities satisfy the same equation of least order.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> drag = Linear(A=[[0, 1], [0, -2]])
+    >>> measured = Linear(A=[[-2, 0], [1, 0]], H=[[0, 1]])
+    >>> rows = {"position": sp.Matrix([[1, 0]]), "speed": sp.Matrix([[0, 1]])}
+    >>> checks.measured_quantity("position", measured, drag, rows).status
+    'right'
+    >>> checks.measured_quantity("speed", measured, drag, rows).status
+    'wrong'
     """
     equations = {
         name: _equation(matrix_of(known), row_of(known, quantity))

@@ -32,6 +32,20 @@ def scalar_equation(answer, system, motion, control, parameters=()):
 
     Here y is the output or else the first coordinate of the controllable canonical form (2.4);
     `motion` and `control` are functions of time such as y(t), u(t).
+
+    Can decide when the equation is linear in y, the control and their derivatives; it is tried at
+    random states and controls.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> t = sp.Symbol("t")
+    >>> y, u = sp.Function("y")(t), sp.Function("u")(t)
+    >>> cart = Linear(A=[[0, 1], [0, -1]], B=[[0], [1]])
+    >>> checks.scalar_equation(sp.Eq(y.diff(t, 2) + y.diff(t), u), cart, y, u).status
+    'right'
+    >>> checks.scalar_equation(sp.Eq(y.diff(t, 2), u), cart, y, u).status
+    'wrong'
     """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
@@ -54,6 +68,17 @@ def canonical_coordinate(claim, system, parameters=()):
     """Check the row c for which y = c x is the first coordinate of the canonical form (2.4).
 
     The row has n entries; the form is that by control, with one control.
+
+    Can decide when the entries are exact numbers, or rational functions of the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> plant = Linear(A=[[0, 1], [2, 1]], B=[[0], [3]])
+    >>> checks.canonical_coordinate([sp.Rational(1, 3), 0], plant).status
+    'right'
+    >>> checks.canonical_coordinate([1, 0], plant).status
+    'wrong'
     """
     for values in in_every_case(general_values(list(parameters)), claim):
         A, b = system.A.subs(values), system.B.subs(values)

@@ -24,6 +24,19 @@ def measured_output(claim, system, start, time, parameters=()):
 
     The output is single, an expression in the symbols of the initial state, the time and the
     parameters; its row may change with the time.
+
+    Can decide when H has values at the sample times; the initial states are random.
+
+    Examples
+    --------
+    >>> from workbook.systems import Varying
+    >>> t = sp.Symbol("t", positive=True)
+    >>> pair = Varying(A=[[0, 1], [0, 0]], H=[[1, -t]], time=t)
+    >>> a, b = sp.symbols("a b")
+    >>> checks.measured_output(a, pair, [a, b], t).status
+    'right'
+    >>> checks.measured_output(a - b*t, pair, [a, b], t).status
+    'wrong'
     """
     from scipy.linalg import expm
 
@@ -42,6 +55,18 @@ def observability_matrix(claim, system, parameters):
     """Check the n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ...
 
     The derivatives are those along all motions (H: 1 x n).
+
+    Can decide when H is differentiable, at sample times and parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Varying
+    >>> t = sp.Symbol("t", positive=True)
+    >>> pair = Varying(A=[[0, 1], [0, 0]], H=[[1, -t]], time=t)
+    >>> checks.observability_matrix([[1, -t], [0, 0]], pair, []).status
+    'right'
+    >>> checks.observability_matrix([[1, -t], [0, 1]], pair, []).status
+    'wrong'
     """
     n = system.A.rows
     slopes = [system.H.diff(system.time, k) if k else system.H for k in range(n)]
@@ -83,6 +108,19 @@ def output_gramian(claim, system, duration, parameters):
     """Check the n x n matrix G with x(0)^T G x(0) = integral of z^2 over 0 <= t <= `duration`.
 
     The shapes are A: n x n, H: 1 x n; parameters are in general position.
+
+    Can decide when H is continuous: the integrals are computed numerically, at sample values of
+    the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Varying
+    >>> t = sp.Symbol("t", positive=True)
+    >>> pair = Varying(A=[[0, 1], [0, 0]], H=[[1, -t]], time=t)
+    >>> checks.output_gramian([[1, 0], [0, 0]], pair, 1, []).status
+    'right'
+    >>> checks.output_gramian([[1, 1], [1, 1]], pair, 1, []).status
+    'wrong'
     """
     nodes, weights = np.polynomial.legendre.leggauss(160)
     moments, weights = (nodes + 1) / 2 * float(duration), weights / 2 * float(duration)
@@ -111,6 +149,18 @@ def frozen_determinant(claim, system, parameters):
     """Check the determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one instant.
 
     The row H is taken as it is at this instant.
+
+    Can decide when H has values at the sample times and parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Varying
+    >>> t = sp.Symbol("t", positive=True)
+    >>> pair = Varying(A=[[0, 1], [0, 0]], H=[[1, -t]], time=t)
+    >>> checks.frozen_determinant(1, pair, []).status
+    'right'
+    >>> checks.frozen_determinant(0, pair, []).status
+    'wrong'
     """
     for values in in_every_case(
         signed_values([system.time, *parameters], positive=[system.time]), claim
