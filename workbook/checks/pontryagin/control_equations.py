@@ -41,6 +41,19 @@ def control_equation(claim, problem, domain=None):
 
     It is an expression in states, control and parameters, the costates eliminated; for problems
     with one control.
+
+    Can decide when the problem has one control that can be inside its bounds, at sample states
+    where it is.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> tracking = Problem({x: u}, {u: (-9, 9)}, {x: 1}, running=x**2 + u**2, duration=1)
+    >>> checks.control_equation(x, tracking).status
+    'right'
+    >>> checks.control_equation(-x, tracking).status
+    'wrong'
     """
     reference = _Rate(problem)
     samples = list(reference.samples(domain))

@@ -126,6 +126,20 @@ def optimal_switching(claim, problem, time):
     """Check the switching function dH/du along a transfer to a line, with lambda_0 = 1.
 
     The time of the transfer is minimised or maximised.
+
+    Can decide when the time of a transfer to a line has a least or greatest value that
+    `optimal_duration` knows.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> t = sp.Symbol("t", positive=True)
+    >>> swing = Problem({x: v, v: -u*x}, {u: (1, 4)}, {x: 1, v: 0}, [v], maximise=True, first_return=True)
+    >>> checks.optimal_switching(-sp.cos(t)**2, swing, t).status
+    'right'
+    >>> checks.optimal_switching(-1, swing, t).status
+    'wrong'
     """
     if len(problem.terminal) != 1 or not is_time_optimal(problem):
         raise UnsuitableData("problem: expected a transfer to a line in the least or greatest time")

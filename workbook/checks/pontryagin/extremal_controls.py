@@ -23,6 +23,20 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     For problems with one control, a given duration and a free end: the states are integrated
     forward in time, the costates backward. `parameters` is a dict from symbols in the control to
     intervals; with `start`, the control begins with this one of them.
+
+    Can decide when the problem has one control, a given duration and a free end; constants of the
+    control get sample values in their intervals.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> t = sp.Symbol("t", positive=True)
+    >>> far = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 0, v: 0}, final=-x, duration=1)
+    >>> checks.extremal_control(1, far, t).status
+    'right'
+    >>> checks.extremal_control(-1, far, t).status
+    'wrong'
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)

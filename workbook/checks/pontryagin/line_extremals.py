@@ -27,6 +27,19 @@ def other_extremal_exists(answer, system, target, start=None):
     """Check the condition on the initial state for an extremal that is not the fastest one.
 
     The extremal leads to the line, which it may cross before.
+
+    Can decide when the system is linear in two states and the target is a line; for all initial
+    states where the condition is polynomial.
+
+    Examples
+    --------
+    >>> from workbook.systems import Controlled
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart = Controlled({x: v, v: u}, {u: (-1, 1)})
+    >>> checks.other_extremal_exists(False, cart, [v]).status
+    'right'
+    >>> checks.other_extremal_exists(True, cart, [v]).status
+    'wrong'
     """
     reference = _second_extremal(system, target, start)
     agreement = compare(

@@ -165,7 +165,22 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     problem="pontryagin.Problem with one control, its duration also an interval",
 )
 def switching_rate(claim, problem, costates, control=None, domain=None):
-    """Check the time derivative of dH/du along the trajectories and the adjoint equations."""
+    """Check the time derivative of dH/du along the trajectories and the adjoint equations.
+
+    Can decide when H is linear in the control and the right-hand sides are differentiable, at
+    sample states and costates.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> p1, p2 = sp.symbols("p1 p2", real=True)
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> checks.switching_rate(-p1, cart, [p1, p2]).status
+    'right'
+    >>> checks.switching_rate(p1, cart, [p1, p2]).status
+    'wrong'
+    """
     first, *_ = singular_arcs(problem, control or problem.control[0], tuple(costates)).derivatives
     H = hamiltonian(problem, costates)
     flow = dict(problem.dynamics) | {psi: -sp.diff(H, y) for psi, y in zip(costates, problem.state)}
@@ -259,6 +274,19 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
     """Check the greatest value of H over the admissible controls with lambda_0 = 1.
 
     The controls enter H linearly.
+
+    Can decide when the controls enter H linearly, at sample states and costates.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> p1, p2 = sp.symbols("p1 p2", real=True)
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 4, v: 0}, [x, v])
+    >>> checks.maximised_hamiltonian(p1*v + sp.Abs(p2) - 1, cart, [p1, p2]).status
+    'right'
+    >>> checks.maximised_hamiltonian(p1*v + p2 - 1, cart, [p1, p2]).status
+    'wrong'
     """
     H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)
     if any(sp.diff(H, u, v) != 0 for u in controls for v in controls):

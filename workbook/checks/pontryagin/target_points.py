@@ -37,6 +37,19 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
     The answer is a condition on `variable`, which numbers the points `ends`.
 
     `parameters` gives the interval of `variable` too. The ends of an arc count either way.
+
+    Can decide when the system is linear in two states and the target is a line or a smooth convex
+    curve; for all points where the condition is polynomial.
+
+    Examples
+    --------
+    >>> from workbook.systems import Controlled
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart = Controlled({x: v, v: u}, {u: (-1, 1)})
+    >>> checks.reached_target_points(v < 1, cart, [x - v], [v, v], v, {}, x > v).status
+    'right'
+    >>> checks.reached_target_points(v > 1, cart, [x - v], [v, v], v, {}, x > v).status
+    'wrong'
     """
     family = _family(system, target, ends, variable, parameters, start)
     arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())

@@ -58,7 +58,22 @@ def meeting_time(claim, problem, count):
 
 @judged(Expression("angle", lambda data: list(data["problem"].controls)))
 def polar_angle_rate(claim, problem, angle):
-    """Check the rate of the polar angle of a planar state, in the angle and the control."""
+    """Check the rate of the polar angle of a planar state, in the angle and the control.
+
+    Can decide when the system is homogeneous of first degree in two states, at random states and
+    controls.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> angle = sp.Symbol("angle", real=True)
+    >>> swing = Problem({x: v, v: -u*x}, {u: (1, 4)}, {x: 1, v: 0}, [v], first_return=True)
+    >>> checks.polar_angle_rate(-sp.sin(angle)**2 - u*sp.cos(angle)**2, swing, angle).status
+    'right'
+    >>> checks.polar_angle_rate(-u, swing, angle).status
+    'wrong'
+    """
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     generator = np.random.default_rng(9)
     for _ in range(20):
@@ -85,6 +100,19 @@ def least_rate(claim, quantity, problem):
     """Check the least rate of change of a quantity that an admissible control can give.
 
     It is an expression in the state.
+
+    Can decide when the quantity is differentiable at random states, where all admissible controls
+    are compared.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> grow = Problem({x: x + u}, {u: (-1, 1)}, {x: None}, [x])
+    >>> checks.least_rate(sp.Abs(x) - 1, sp.Abs(x), grow).status
+    'right'
+    >>> checks.least_rate(x - 1, sp.Abs(x), grow).status
+    'wrong'
     """
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
@@ -148,6 +176,21 @@ def reachable_in_time(answer, problem, duration, parameters):
     """Check the condition for the target to be reached in a time not longer than `duration`.
 
     It is a condition on the parameters and the symbol `duration`.
+
+    Can decide when the cost is the time of one control with two bounds and the target is the
+    origin, a line through it, or a value of the only state; for all parameters where the condition
+    is polynomial.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u, b = sp.symbols("x u b", real=True)
+    >>> T = sp.Symbol("T", positive=True)
+    >>> move = Problem({x: u}, {u: (-1, 1)}, {x: b}, [x])
+    >>> checks.reachable_in_time(sp.Abs(b) <= T, move, T, [b]).status
+    'right'
+    >>> checks.reachable_in_time(sp.Abs(b) <= 2*T, move, T, [b]).status
+    'wrong'
     """
     transfer = Transfer(problem, parameters)
     samples = list(transfer.samples())
@@ -188,6 +231,19 @@ def switching_count(answer, problem, parameters=()):
 
     Without parameters: the greatest number of switchings of a fastest transfer from any initial
     state.
+
+    Can decide when the cost is the time of one control with two bounds and the target is the
+    origin or a line through it, from sample initial states.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart = Problem({x: v, v: u}, {u: (-1, 1)}, {x: None, v: None}, [x, v])
+    >>> checks.switching_count(1, cart).status
+    'right'
+    >>> checks.switching_count(0, cart).status
+    'wrong'
     """
     if not parameters:
         return _judge_greatest_count(coercion.as_integer(answer), problem)
@@ -225,7 +281,21 @@ def _judge_greatest_count(claim, problem):
 
 @judged(Number(), parameters=COMMON["parameters"])
 def switching_interval(claim, problem, parameters):
-    """Check the time between two switchings of fastest controls, where it is always the same."""
+    """Check the time between two switchings of fastest controls, where it is always the same.
+
+    Can decide when the cost is the time of one control with two bounds and the target is the
+    origin, from sample initial states.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> swing = Problem({x: v, v: u - x}, {u: (-1, 1)}, {x: None, v: None}, [x, v])
+    >>> checks.switching_interval(sp.pi, swing, [x, v]).status
+    'right'
+    >>> checks.switching_interval(2*sp.pi, swing, [x, v]).status
+    'wrong'
+    """
     intervals = [
         b - a
         for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
@@ -251,6 +321,20 @@ def isochrone_radius(claim, problem, duration, count):
     """Check the radius of the circle of initial states whose least time is `duration`.
 
     It is an expression in the whole number `count`.
+
+    Can decide when the system is linear in two states, the target is the origin and the states
+    that need this time lie on a circle.
+
+    Examples
+    --------
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> n = sp.Symbol("n", integer=True, positive=True)
+    >>> swing = Problem({x: v, v: u - x}, {u: (-1, 1)}, {x: None, v: None}, [x, v])
+    >>> checks.isochrone_radius(2*n, swing, sp.pi*n, n).status
+    'right'
+    >>> checks.isochrone_radius(n, swing, sp.pi*n, n).status
+    'wrong'
     """
     transfer = Transfer(problem, list(problem.dynamics))
     for number in range(1, 6):

@@ -65,6 +65,16 @@ def nearly_dependent_condition_number(claim, delta):
     """Check the condition number of two columns along h and h + delta g.
 
     The columns have the length 1; h and g are perpendicular unit vectors.
+
+    Can decide always: small and large errors are tried.
+
+    Examples
+    --------
+    >>> e = sp.Symbol("delta", positive=True)
+    >>> checks.research.nearly_dependent_condition_number((1 + sp.sqrt(1 + e**2))/e, e).status
+    'right'
+    >>> checks.research.nearly_dependent_condition_number(1/e, e).status
+    'wrong'
     """
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
         columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])

@@ -35,6 +35,17 @@ def support_values(claims, sides, bounds, directions):
     """Check the support function of {p: sides p <= bounds} in each direction.
 
     For the rows n it is the greatest n p over the set.
+
+    Can decide when the polygon has corners, for random values of the symbols.
+
+    Examples
+    --------
+    >>> b = sp.Symbol("b", positive=True)
+    >>> square = sp.Matrix([[1, 0], [-1, 0], [0, 1], [0, -1]])
+    >>> checks.research.support_values([2*b], square, [b]*4, sp.Matrix([[1, 1]])).status
+    'right'
+    >>> checks.research.support_values([b], square, [b]*4, sp.Matrix([[1, 1]])).status
+    'wrong'
     """
     yield from _same_support(claims, sides, bounds, directions)
     return "they are the greatest over all corners, for random values of the symbols"
@@ -56,6 +67,17 @@ def common_point_exists(answer, sides, bounds):
     """Check the condition for {p: sides p <= bounds} to have a point.
 
     The symbols of the bounds have positive values.
+
+    Can decide when the bounds are polynomials of positive symbols; elsewhere the condition is
+    compared at points.
+
+    Examples
+    --------
+    >>> a, b = sp.symbols("a b", positive=True)
+    >>> checks.research.common_point_exists(a <= b, sp.Matrix([[1, 0], [-1, 0]]), [b, -a]).status
+    'right'
+    >>> checks.research.common_point_exists(a < b, sp.Matrix([[1, 0], [-1, 0]]), [b, -a]).status
+    'wrong'
     """
     return _common_point_agreement(answer, sides, bounds)
 
@@ -76,6 +98,17 @@ def greatest_distance(claim, duration, direction, given, final=None):
 
     It starts at the origin with the heading 0 and the speed 1. With `final` its last heading is
     given. At each time the heading is the possible one that is nearest to the direction.
+
+    Can decide when duration and direction have values that satisfy what is given; it is compared
+    there.
+
+    Examples
+    --------
+    >>> T = sp.Symbol("T", positive=True)
+    >>> checks.research.greatest_distance(T, T, 0, [T < 3]).status
+    'right'
+    >>> checks.research.greatest_distance(T/2, T, 0, [T < 3]).status
+    'wrong'
     """
     from scipy.integrate import quad
 

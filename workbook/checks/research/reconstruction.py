@@ -37,6 +37,16 @@ def transition_polynomial(claim, transition, lam, kappa):
     Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi),
     P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without
     the imaginary unit on the unit circle.
+
+    Can decide when the entries are expressions of kappa, for random values of the symbols.
+
+    Examples
+    --------
+    >>> lam, k = sp.symbols("lambda kappa", positive=True)
+    >>> checks.research.transition_polynomial(lam**2 - 2*lam + 1 - k, sp.Matrix([[1, k], [1, 1]]), lam, k).status
+    'right'
+    >>> checks.research.transition_polynomial(lam**2 + 1 - k, sp.Matrix([[1, k], [1, 1]]), lam, k).status
+    'wrong'
     """
     if lam.has(sp.I) and claim.has(sp.I):
         raise Wrong(
@@ -216,6 +226,16 @@ def filter_gain(claim, omega, rho, M):
     """Check the factor g with which x = g cos(omega t) solves the filter equation.
 
     The equation is M x'''' + rho (x - cos(omega t)) = 0.
+
+    Can decide when the weights are positive, for random values of the symbols.
+
+    Examples
+    --------
+    >>> w, r, m = sp.symbols("w r m", positive=True)
+    >>> checks.research.filter_gain(r/(r + m*w**4), w, r, m).status
+    'right'
+    >>> checks.research.filter_gain(r/(r + m*w**2), w, r, m).status
+    'wrong'
     """
     for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
@@ -233,6 +253,16 @@ def boundary_decay(claim, rho, M):
     """Check the rate at which the influence of an end decays.
 
     It is -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that decay.
+
+    Can decide when the weights are positive, for random values of the symbols.
+
+    Examples
+    --------
+    >>> r, m = sp.symbols("r m", positive=True)
+    >>> checks.research.boundary_decay((r/m)**sp.Rational(1, 4)/sp.sqrt(2), r, m).status
+    'right'
+    >>> checks.research.boundary_decay((r/m)**sp.Rational(1, 4), r, m).status
+    'wrong'
     """
     for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])

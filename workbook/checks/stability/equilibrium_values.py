@@ -65,6 +65,17 @@ def growth_rate(claim, field, state, parameters=(), given=()):
     """Check the positive eigenvalue at the unstable equilibria.
 
     It is the positive root of the characteristic equation there.
+
+    Can decide when the unstable equilibria have one positive eigenvalue; with parameters at sample
+    values.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> checks.growth_rate(1, [y, x - x**3], [x, y], []).status
+    'right'
+    >>> checks.growth_rate(2, [y, x - x**3], [x, y], []).status
+    'wrong'
     """
     for values, family, numbers, points in equilibria_within_reach(
         field, state, parameters, given, claim

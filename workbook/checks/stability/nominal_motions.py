@@ -112,6 +112,17 @@ def input_matrix(claim, field, state, parameters, program, controls):
     """Check the n x s matrix B of the deviation equations x' = A x + B w from a nominal motion.
 
     The s controls are the symbols `controls`.
+
+    Can decide when the right-hand sides are differentiable along the motion that the program
+    determines, at sample values of the parameters.
+
+    Examples
+    --------
+    >>> x, v, u, t = sp.symbols("x v u t", real=True)
+    >>> checks.input_matrix([[0], [1]], [v, u - v], [x, v], [], {x: t}, [u]).status
+    'right'
+    >>> checks.input_matrix([[1], [0]], [v, u - v], [x, v], [], {x: t}, [u]).status
+    'wrong'
     """
     motion = Motion(field, state, parameters, program)
     for values in in_every_case(sample_values(parameters), claim):
