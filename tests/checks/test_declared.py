@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Matrix
+from workbook.checks.contract.claims import Expression, Matrix, Values
 from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.tools.declared import Truth, at_symbols, declared
 
@@ -81,3 +81,27 @@ def test_a_value_at_symbols_of_the_data():
 def test_data_without_a_sample_are_refused():
     with pytest.raises(UnsuitableData):
         multiple([[2]], sp.eye(1), (), sp.false)
+
+
+@declared(
+    Values("parameters", expected="a list of roots"),
+    right="these are the roots",
+    wrong=("{number} is no root{where}", "a root is not named{where}"),
+)
+def roots(values, polynomial, symbol):
+    """Check the roots of a polynomial."""
+    return Truth(list(map(complex, sp.Poly(polynomial.subs(values), symbol).nroots())))
+
+
+@pytest.mark.parametrize(
+    "answer, message",
+    [
+        ([k, -k], "these are the roots"),
+        ({-sp.sqrt(k**2), sp.sqrt(k**2)}, "these are the roots"),
+        ([k], "a root is not named for k = "),
+        ([k, -k, 2 * k], "is no root for k = "),
+        (s, "the answer contains s"),
+    ],
+)
+def test_numbers_in_any_order(answer, message):
+    assert message in roots(answer, s**2 - k**2, s, [k]).message

@@ -197,7 +197,7 @@ def covariance_at_time(
     """Check the covariance matrix of the process at the time t."""
 
 def covariance_exponents(
-    claims: Any,
+    claim: Any,
     process: Any,
     parameters: Any = ...,
     given: Any = ...,
@@ -390,12 +390,7 @@ def error_covariance(
 ) -> Verdict:
     """Check the covariance matrix of the errors of the estimate."""
 
-def error_eigenvalues(
-    claims: Any,
-    process: Any,
-    parameters: Any = ...,
-    given: Any = ...,
-) -> Verdict:
+def error_eigenvalues(claim: Any, process: Any, parameters: Any = ..., given: Any = ...) -> Verdict:
     """Check the different eigenvalues of the error matrix of the steady filter."""
 
 def estimate(
@@ -771,7 +766,7 @@ def optimal_duration(claim: Any, problem: Any, parameters: Any = ...) -> Verdict
     """Check the duration of the optimal process, as an expression in the parameters."""
 
 def optimal_eigenvalues(
-    claims: Any,
+    claim: Any,
     problem: Any,
     parameters: Any = ...,
     given: Any = ...,

@@ -86,6 +86,7 @@ from workbook.checks.contract.verdict import Invalid, UnsuitableData, Verdict, W
 from workbook.checks.tools.comparisons import (
     SameEntries,
     SameMembers,
+    SameNumbers,
     SameSides,
     SameTruth,
     SameValue,
@@ -108,6 +109,7 @@ __all__ = [
     "Parts",
     "SameEntries",
     "SameMembers",
+    "SameNumbers",
     "SameSides",
     "SameTruth",
     "SameValue",

@@ -14,15 +14,13 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
-from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes, regulators
-from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.declared import Truth, declared
 from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
-from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
     number_text,
     part_text,
@@ -385,10 +383,16 @@ def riccati_equation(claim, process, covariance, parameters=()):
     return "the motion, the noise and the measurement change the covariance at this rate"
 
 
-@judged(
-    Values("parameters", expected="a list or a set of eigenvalues"), process="Process or Coloured"
+@declared(
+    Values("parameters", expected="a list or a set of eigenvalues"),
+    right="these are the modes by which errors of the steady filter decay",
+    wrong=(
+        "{number} is no eigenvalue of the matrix of the errors{where}: no error is multiplied by it",
+        "an error decays by a mode that your answer does not name{where}",
+    ),
+    process="Process or Coloured",
 )
-def error_eigenvalues(claims, process, parameters=(), given=sp.true):
+def error_eigenvalues(values, process):
     """Check the different eigenvalues of the error matrix of the steady filter.
 
     The matrix is A - K H, in discrete time A (I - K H).
@@ -403,31 +407,10 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     >>> checks.error_eigenvalues([-2], walk).status, checks.error_eigenvalues([2], walk).status
     ('right', 'wrong')
     """
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        model = processes.at_values(process, values, start=False)
-        gain = processes.filter_gain(model, processes.steady_covariances(model)[0])
-        loop = model.A - (model.A @ gain if model.discrete else gain) @ model.H
-        size = np.linalg.norm(loop)
-        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-
-        def fits(member, eigenvalue):
-            return agree(
-                member[1], eigenvalue, member[0], size, REPEATED, uncertainty_at(member[0], values)
-            )
-
-        yield SameMembers(
-            list(zip(claims, claimed)),
-            list(np.linalg.eigvals(loop)),
-            fits,
-            lambda member: (
-                f"{number_text(member[1])} is no eigenvalue of the matrix of the "
-                f"errors{where_text(values)}: no error is multiplied by it"
-            ),
-            lambda *_: (
-                f"an error decays by a mode that your answer does not name{where_text(values)}"
-            ),
-        )
-    return "these are the modes by which errors of the steady filter decay"
+    model = processes.at_values(process, values, start=False)
+    gain = processes.filter_gain(model, processes.steady_covariances(model)[0])
+    loop = model.A - (model.A @ gain if model.discrete else gain) @ model.H
+    return Truth(np.linalg.eigvals(loop), np.linalg.norm(loop))
 
 
 def _definite(covariance, values, sizes):

@@ -11,15 +11,13 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix, MatrixOrVector, Values
-from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.references.spectra import decays
-from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.declared import Truth, declared
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
-from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
     number_text,
     part_text,
@@ -308,8 +306,15 @@ def stationary_covariance(values, process):
     return Truth(true, abs(true).max())
 
 
-@judged(Values("parameters", expected="a list or a set of exponents"))
-def covariance_exponents(claims, process, parameters=(), given=sp.true):
+@declared(
+    Values("parameters", expected="a list or a set of exponents"),
+    right="each part of the covariance changes with one of them",
+    wrong=(
+        "no part of the covariance changes with the exponent {number}{where}",
+        "a part of the covariance changes with an exponent that your answer does not name{where}",
+    ),
+)
+def covariance_exponents(values, process):
     """Check the different l with e^(l t), in discrete time l^k, in the covariance of a process.
 
     The process has any initial covariance; what the noise contributes in the limit is not
@@ -327,32 +332,10 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
     'wrong'
     """
     process = processes.as_process(process)
-    for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
-        modes = np.linalg.eigvals(processes.to_array(process.A, values))
-        pairs = itertools.combinations_with_replacement(modes, 2)
-        true = [first * second if process.discrete else first + second for first, second in pairs]
-        size = max(map(abs, true))
-        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-
-        def fits(member, exponent):
-            return agree(
-                member[1], exponent, member[0], size, REPEATED, uncertainty_at(member[0], values)
-            )
-
-        yield SameMembers(
-            list(zip(claims, claimed)),
-            true,
-            fits,
-            lambda member: (
-                "no part of the covariance changes with the exponent "
-                f"{number_text(member[1])}{where_text(values)}"
-            ),
-            lambda *_: (
-                f"a part of the covariance changes with an exponent that your answer does not name"
-                f"{where_text(values)}"
-            ),
-        )
-    return "each part of the covariance changes with one of them"
+    modes = np.linalg.eigvals(processes.to_array(process.A, values))
+    pairs = itertools.combinations_with_replacement(modes, 2)
+    true = [first * second if process.discrete else first + second for first, second in pairs]
+    return Truth(true, max(map(abs, true)))
 
 
 @judged(process="Process, Coloured or FilterErrors")

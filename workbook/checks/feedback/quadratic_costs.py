@@ -10,16 +10,15 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Matrix, MatrixOrVector, Values
-from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
-from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.declared import Truth, at_symbols, declared
 from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
-from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
+from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
 
 COUNT = 6
@@ -192,8 +191,15 @@ def least_quadratic_cost(values, problem, start):
     return Truth(regulator.factor * x @ least @ x, regulator.factor * abs(x) @ abs(least) @ abs(x))
 
 
-@judged(Values("parameters", expected="a list or a set of eigenvalues"))
-def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
+@declared(
+    Values("parameters", expected="a list or a set of eigenvalues"),
+    right="these are the modes of the loop with the best law",
+    wrong=(
+        "{number} is no eigenvalue of the loop with the best law{where}",
+        "the loop with the best law has a mode that your answer does not name{where}",
+    ),
+)
+def optimal_eigenvalues(values, problem):
     """Check the different eigenvalues of A + BK under the law of least cost for infinite time.
 
     Can decide when the problem has a law of least cost in infinite time; with parameters at sample
@@ -206,30 +212,9 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
     >>> checks.optimal_eigenvalues([-2], problem).status, checks.optimal_eigenvalues([2], problem).status
     ('right', 'wrong')
     """
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        regulator = regulators.Regulator(problem, values)
-        loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
-        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-
-        def fits(member, eigenvalue, size=np.linalg.norm(loop)):
-            return agree(
-                member[1], eigenvalue, member[0], size, REPEATED, uncertainty_at(member[0], values)
-            )
-
-        yield SameMembers(
-            list(zip(claims, claimed)),
-            list(np.linalg.eigvals(loop)),
-            fits,
-            lambda member: (
-                f"{number_text(member[1])} is no eigenvalue of the loop with the best "
-                f"law{where_text(values)}"
-            ),
-            lambda *_: (
-                "the loop with the best law has a mode that your answer does not "
-                f"name{where_text(values)}"
-            ),
-        )
-    return "these are the modes of the loop with the best law"
+    regulator = regulators.Regulator(problem, values)
+    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    return Truth(np.linalg.eigvals(loop), np.linalg.norm(loop))
 
 
 @declared(

@@ -8,7 +8,7 @@ difference raises `Wrong` with its position. A comparison returns what it comput
 - `SameValue`: an expression has a value, `SameEntries`: a matrix has its entries, at values of the
   symbols.
 - `SameTruth`: a condition is as true as a property, at values of the symbols.
-- `SameMembers`: of several things all are named and no more.
+- `SameMembers`: of several things all are named and no more; `SameNumbers`: of several numbers.
 - `SameWord`: a word is the right one of those offered.
 - `SameSides`: two sides of an equation are equal.
 """
@@ -20,10 +20,16 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
+from workbook.checks.contract.tolerance import EXACT, REPEATED, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.values import matrix_at, truth_at, uncertainty_at, value_at
-from workbook.checks.tools.wording import other_text, rounded_text
+from workbook.checks.tools.values import (
+    matrix_at,
+    numbers_at,
+    truth_at,
+    uncertainty_at,
+    value_at,
+)
+from workbook.checks.tools.wording import number_text, other_text, rounded_text, where_text
 
 
 @dataclass
@@ -199,6 +205,50 @@ class SameMembers:
                 self.missing(len(self.true) - len(unmatched), [self.true[k] for k in unmatched])
             )
         return matched
+
+
+@dataclass
+class SameNumbers:
+    """Numbers are the true ones at values of the symbols, in any order.
+
+    Parameters
+    ----------
+    claims : list of sympy.Expr
+        The answer.
+    true : list of complex
+        The true numbers.
+    extra, missing : str
+        The messages on a number that is none of the true ones, and if one is not named, with
+        `{number}` for that number and `{where}` for the values.
+    values : dict
+        {symbol: value}.
+    size : float
+        The size of the terms.
+    """
+
+    claims: list
+    true: list
+    extra: str
+    missing: str
+    values: dict
+    size: float = 0.0
+
+    def judge(self):
+        names = [f"value {k}" for k in range(1, len(self.claims) + 1)]
+        where = where_text(self.values)
+
+        def matches(member, true):
+            claim, number = member
+            uncertain = uncertainty_at(claim, self.values)
+            return agree(number, true, claim, self.size, REPEATED, uncertain)
+
+        SameMembers(
+            list(zip(self.claims, numbers_at(self.claims, self.values, names))),
+            list(self.true),
+            matches,
+            lambda member: self.extra.format(number=number_text(member[1]), where=where),
+            lambda *_: self.missing.format(where=where),
+        ).judge()
 
 
 @dataclass

@@ -10,7 +10,8 @@
 
 becomes a check `covariance(claim, process, parameters=(), given=True)`. The sentence `right` is the
 message on a right answer. The phrase `wrong` is the property that fails: of a matrix a function of
-the wrong entry, of an expression the quantity, as `SameValue` names it.
+the wrong entry, of an expression the quantity, as `SameValue` names it, of several numbers in any
+order the two messages of `SameNumbers`.
 """
 
 import functools
@@ -23,7 +24,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import SameEntries, SameValue
+from workbook.checks.tools.comparisons import SameEntries, SameNumbers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.wording import entry_text, where_text
 
@@ -44,7 +45,7 @@ class Truth:
     Parameters
     ----------
     value : float or numpy.ndarray
-        The true value, or the true entries.
+        The true value, the true entries, or the true numbers.
     size : float or numpy.ndarray
         The size of the terms, which may cancel.
     context : object
@@ -110,7 +111,9 @@ def at_symbols(*names, count=COUNT):
     return samples
 
 
-def declared(claim, right: str | Callable, wrong: str | Callable, samples=at_symbols(), **kinds):
+def declared(
+    claim, right: str | Callable, wrong: str | tuple | Callable, samples=at_symbols(), **kinds
+):
     """Turn `reference(values, *data) -> Truth` into a check.
 
     Parameters
@@ -119,8 +122,8 @@ def declared(claim, right: str | Callable, wrong: str | Callable, samples=at_sym
         The type of the answer.
     right : str or callable
         The sentence on a right answer, or a function of the data that returns it.
-    wrong : str or callable
-        The quantity, or a function of a `WrongEntry` that returns the message.
+    wrong : str, pair of str, or callable
+        The quantity, two messages, or a function of a `WrongEntry` that returns the message.
     samples : callable
         A function of the data that returns samples, {symbol: value}, and the condition that further
         samples have to satisfy.
@@ -157,6 +160,8 @@ def declared(claim, right: str | Callable, wrong: str | Callable, samples=at_sym
 
 
 def _comparison(answer, truth, wrong, values):
+    if isinstance(wrong, tuple):
+        return SameNumbers(answer, truth.value, *wrong, values, truth.size)
     if not callable(wrong):
         return SameValue(answer, truth.value, wrong, values, truth.size)
     return SameEntries(
