@@ -10,6 +10,9 @@ reference. No message holds a number of the reference: the only ones are those o
 the answer there.
 """
 
+import functools
+import itertools
+
 import numpy as np
 import sympy as sp
 
@@ -127,12 +130,16 @@ def same_matrix(claim, reference, parameters=(), given=sp.true):
 
 def _compared(claim, reference, parameters, given):
     """Return the message on an answer equal to its reference; raise `Wrong` if it is another one."""
-    domain = conjunction(given)
+    domain = sp.sympify(conjunction(given))
     symbols = list(dict.fromkeys([*parameters, *symbols_in([reference, domain])]))
-    samples = in_every_case(_samples(reference, symbols, domain), [*claim, *reference], domain)
-    points = [values for values in samples if _numbers(reference, values) is not None]
-    for values in points:
-        _judge_at(claim, reference, values)
+    samples = _samples(reference, tuple(symbols), domain)
+    points = in_every_case([values for values, _ in samples], [*claim, *reference], domain)
+    compared = 0
+    for values, true in itertools.zip_longest(points, [numbers for _, numbers in samples]):
+        true = _numbers(reference, values) if true is None else true
+        if true is not None:
+            _judge_at(claim, reference, true, values)
+            compared += 1
     exists = [sp.Ne(sp.denom(sp.together(entry)), 0) for entry in reference]
     # near a zero of another denominator of the reference nothing is known of the answer
     if all(c in (True, False) or c.lhs.is_rational_function(*symbols) for c in exists):
@@ -145,11 +152,12 @@ def _compared(claim, reference, parameters, given):
     if not (claim.free_symbols or reference.free_symbols):
         return "it equals what is asked for"
     proof = _decide(claim, reference, symbols, sp.And(domain, *exists))
-    return f"it equals what is asked for, {proof or 'at ' + counted(len(points), 'point')}"
+    return f"it equals what is asked for, {proof or 'at ' + counted(compared, 'point')}"
 
 
+@functools.lru_cache(maxsize=16)
 def _samples(reference, symbols, domain):
-    """Return values of the symbols that are allowed and at which the reference has a value."""
+    """Return pairs (allowed values of the symbols, numbers of the reference there); for all answers."""
     allowed = [
         *(values for values in general_values(symbols) if domain.subs(values) == sp.true),
         *allowed_values(symbols, domain, SAMPLES),
@@ -164,8 +172,8 @@ def _samples(reference, symbols, domain):
             "reference: it has no value at any of the values that were tried; say by `given` for which "
             "values of its symbols it is asked"
         )
-    real = [values for values, numbers in existing if not np.imag(numbers).any()]
-    return real if len(real) >= FEWEST_REAL else [values for values, _ in existing]
+    real = [(values, numbers) for values, numbers in existing if not np.imag(numbers).any()]
+    return real if len(real) >= FEWEST_REAL else existing
 
 
 def _numbers(reference, values):
@@ -176,15 +184,14 @@ def _numbers(reference, values):
         return None
 
 
-def _judge_at(claim, reference, values):
-    """Raise `Wrong` unless the answer has the value of its reference at a sample."""
+def _judge_at(claim, reference, true, values):
+    """Raise `Wrong` unless the answer has the numbers of its reference at a sample."""
     single, noun = claim.shape == (1, 1), "expression" if values else "number"
     numbers = (
         np.array([[number_at(claim[0], values, f"your {noun}")]])
         if single
         else matrix_at(claim, values)
     )
-    true = matrix_at(reference, values)
     size = 0.0 if single else abs(true).max()
     right = agree(numbers, true, claim, size, uncertain=entry_uncertainties(claim, values))
     if in_decimals(reference):

@@ -80,6 +80,7 @@ CASES = [
         (sp.oo, "wrong", "infinite"),
     ),
     *_expressions(k, (sp.Abs(k), "right", "for positive values"), given=k > 0),
+    *_expressions(k, (k, "right", "nothing given"), given=True),
     *_expressions(
         k,
         (sp.Piecewise((k, k < 1000), (0, True)), "right", "up to 1000, as given"),
