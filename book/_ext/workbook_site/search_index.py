@@ -32,8 +32,8 @@ SKIPPED = (
     addnodes.toctree,
 )
 UNSEARCHED = {"cell", "problem-head", "used-in"}
-#: The title of a statement: "1.2 (Hurwitz criterion)", "(added): duality" or "3.1".
-STATEMENT = re.compile(r"(?P<number>\d+\.\d+)?\s*(?:\([^()]*\):|\(added\))?\s*\(?(?P<name>.*?)\)?")
+#: The title of a statement: "1.2 (Hurwitz criterion)", "(duality)" or "3.1".
+STATEMENT = re.compile(r"(?P<number>\d+\.\d+)?\s*(?:\([^()]*\):)?\s*\(?(?P<name>.*?)\)?")
 EXAMPLE = re.compile(r"exm-(\d+)-(\d+)")
 #: Sections that list what has entries of its own.
 LIST = re.compile(r"sections|topics-.*")
@@ -60,7 +60,7 @@ def words(node):
 
 
 def _pieces(node):
-    if isinstance(node, SKIPPED) or _is_unresolved(node):
+    if isinstance(node, SKIPPED) or _is_unresolved(node) or "printed" in node.get("classes", ()):
         return
     if isinstance(node, nodes.raw):
         yield html.unescape(re.sub(r"<[^>]+>", "", node.astext()))
