@@ -60,7 +60,7 @@ def words(node):
 
 
 def _pieces(node):
-    if isinstance(node, SKIPPED) or _is_unresolved(node) or "printed" in node.get("classes", ()):
+    if isinstance(node, SKIPPED) or _is_unresolved(node) or _is_mark(node):
         return
     if isinstance(node, nodes.raw):
         yield html.unescape(re.sub(r"<[^>]+>", "", node.astext()))
@@ -78,6 +78,11 @@ def _pieces(node):
 def _is_unresolved(node):
     """Return whether a reference shows a label or a key until all pages are read."""
     return isinstance(node, addnodes.pending_xref) and not node.get("refexplicit")
+
+
+def _is_mark(node):
+    """Return whether a node is a remark on the printed book, hidden unless a reader asks for it."""
+    return isinstance(node, nodes.inline) and "printed" in node["classes"]
 
 
 class PageEntries:
