@@ -45,3 +45,19 @@ addEventListener("DOMContentLoaded", () => {
   // Entries of the bibliography are paragraphs: as list and items they would hold what no list may.
   each(".citation-list, .citation, .citation [role='doc-backlink']", (entry) => entry.removeAttribute("role"));
 });
+
+/* Marks with remarks on the printed book are hidden until a reader asks for them; the choice holds for all pages. */
+document.documentElement.toggleAttribute("data-remarks", localStorage.getItem("remarks") === "shown");
+addEventListener("DOMContentLoaded", () => {
+  if (!document.querySelector("article .printed")) return;
+  const page = document.documentElement, label = document.createElement("label"), box = document.createElement("input");
+  box.type = "checkbox";
+  box.checked = page.hasAttribute("data-remarks");
+  box.addEventListener("change", () => {
+    page.toggleAttribute("data-remarks", box.checked);
+    localStorage.setItem("remarks", box.checked ? "shown" : "hidden");
+  });
+  label.className = "printed-switch";
+  label.append(box, "Show remarks on the printed book");
+  document.querySelector("article").append(label);
+});

@@ -3,7 +3,7 @@
 a_program = {"x": V0 * t, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": 0, "u_D": 0}
 # Is the position on the track constant while the robot moves? (hint 1)
 a_program = {"x": 0, "y": 0, "alpha": 0, "V": V0, "omega": 0, "u_S": V0, "u_D": 0}
-# Is the term $V \sin\alpha$ small of second order? The program speed is not zero. (hint 2)
+# Is the term $V \sin\alpha$ small of second order? The nominal speed is not zero. (hint 2)
 a_matrix = sp.Matrix(
     [
         [0, 0, 0, 1, 0],
@@ -13,7 +13,7 @@ a_matrix = sp.Matrix(
         [0, 0, 0, 0, -k3 * (1 + k2 * V0 / k1)],
     ]
 )
-# Was the program speed substituted, or is this the linearisation about rest? (hint 1)
+# Was the nominal speed substituted, or is this the linearisation about rest? (hint 1)
 a_matrix = sp.Matrix(
     [[0, 0, 0, 1, 0], [0, 0, V0, 0, k0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0], [0, 0, 0, 0, -k3]]
 )

@@ -35,7 +35,7 @@ c_region = sp.Ne(5 * k**2 - 13 * k + 1, 0)
 d_roots = [sp.sqrt(3 - beta), -sp.sqrt(3 - beta)]
 # What is the sign of the parameter under the root? (hint 1)
 d_roots = [sp.I, -sp.I, sp.sqrt(beta - 3), -sp.sqrt(beta - 3)]
-d_region = sp.Ne(beta, 8)  # Was it tested with the shapes instead of the left shapes? (hint 1)
+d_region = sp.Ne(beta, 8)  # Was it tested with the shapes instead of the left mode shapes? (hint 1)
 d_region = sp.Ne(beta, 3) & sp.Ne(beta, 4)  # Is a double root always uncontrollable? (hint 2)
 d_region = beta > 3  # Does the stability of the motion without control matter? (hint 2)
 d_region = sp.Eq(beta, 3)  # Is this the exceptional value instead of all others? (hint 2)

@@ -2,7 +2,7 @@
 least_rate = x - 1  # Does this hold for negative states as well? (hint 2)
 # Is this the rate of x instead of that of its absolute value? (hint 1)
 least_rate = sp.sign(x) * (x - 1)
-least_rate = sp.Abs(x) + 1  # Is this the greatest rate instead of the least one? (hint 1)
+least_rate = sp.Abs(x) + 1  # Is this the maximum rate instead of the minimum? (hint 1)
 least_rate = -1  # Was the instability forgotten? (hint 1)
 # Can the origin be reached from everywhere, as the problem book says? (hint 2)
 solvable = sp.true
@@ -23,7 +23,7 @@ trajectory = 1 - (1 - x0) * sp.exp(t)  # Does this hold for negative states as w
 costate = -sp.sign(x0) * sp.exp(t) / (1 - sp.Abs(x0))
 # Does H vanish with this costate? It has to be normalised. (hint 1)
 costate = -sp.sign(x0) * sp.exp(-t)
-# Is H greatest or least for this sign? (hint 1)
+# Does H have a maximum or a minimum for this sign? (hint 1)
 costate = sp.sign(x0) * sp.exp(-t) / (1 - sp.Abs(x0))
 
 # %% right
@@ -38,7 +38,7 @@ time = sp.Piecewise((-sp.log(1 - p), p > 0), (-sp.log(1 + p), True))
 control = -x0 / sp.Abs(x0)  # a quotient
 control = [(-sp.sign(x0), -sp.log(1 - sp.Abs(x0)))]  # a list of one arc
 control = sp.Piecewise((-1, x0 > 0), (1, True))  # cases
-trajectory = sp.sign(x0) * (1 - sp.exp(t + sp.log(1 - sp.Abs(x0))))  # by the least time
+trajectory = sp.sign(x0) * (1 - sp.exp(t + sp.log(1 - sp.Abs(x0))))  # by the minimum time
 # cases
 trajectory = sp.Piecewise((1 - (1 - x0) * sp.exp(t), x0 > 0), ((1 + x0) * sp.exp(t) - 1, True))
 costate = sp.exp(-t) / (x0 - sp.sign(x0))  # without the absolute value

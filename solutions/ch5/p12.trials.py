@@ -26,7 +26,7 @@ switching = sp.cos(sp.sqrt(stiffest) * t) ** 2 / stiffest
 switching = -switching  # Does the function have the wrong sign? (hint 1)
 # Does H vanish with these costates? They have to be normalised.
 switching = sp.sin(sp.sqrt(stiffest) * t) ** 2
-latest = time  # Is this the least time instead of the greatest? (hint 1)
+latest = time  # Is this the minimum time instead of the maximum? (hint 1)
 latest = 2 * latest  # Is this a half-turn? The motion starts in the middle.
 
 # %% right

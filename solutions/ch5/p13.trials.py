@@ -14,7 +14,7 @@ trajectory = sp.cos(2 * t)  # Is this the motion with the fastest spring? (hint 
 # Does this motion start at the given position, and is the spring the right one? (hint 1)
 trajectory = (3 + sp.cos(2 * t)) / 4
 trajectory = sp.sin(t)  # Is this the initial state of problem 5.12? (hint 1)
-costate = [-sp.sin(t), -sp.cos(t)]  # Are these the costates for the least time? (hint 1)
+costate = [-sp.sin(t), -sp.cos(t)]  # Are these the costates for minimum time? (hint 1)
 # Are these the costates of problem 5.11? (hint 1)
 costate = [
     -sp.sin(2 * t) / 2,

@@ -17,7 +17,7 @@ trajectory = bound * sp.Piecewise(
 trajectory = -trajectory  # Is the cost small on this side? (hint 1)
 # Was the integral of the velocity left out? (hint 1)
 cost = -sp.Rational(bound * duration**3, 8)
-cost = -cost  # Is this the greatest value? (hint 1)
+cost = -cost  # Is this the maximum? (hint 1)
 
 # %% right
 # factors, a column

@@ -23,7 +23,7 @@ cost = (1 + price) * b + 2 * sp.sqrt((1 + 2 * price) * (a + b**2 / 2))
 # Is this the time alone?
 speed = sp.sqrt((a + b**2 / 2) / (1 + 2 * price))
 cost = sp.Piecewise((b + 2 * (1 + price) * speed, a > -b * sp.Abs(b) / 2), (0, True))
-cost = 2 * sp.sqrt(sp.Abs(a))  # Is this the least time from rest?
+cost = 2 * sp.sqrt(sp.Abs(a))  # Is this the minimum time from rest?
 control = [[-1, sp.sqrt(d)], [1, 2 * sp.sqrt(d)]]  # Does the fuel cost nothing here? (hint 1)
 # Are the three arcs equally long? (hint 1)
 control = [[-1, sp.sqrt(d / 2)], [0, sp.sqrt(2 * d)], [1, 3 * sp.sqrt(d / 2)]]

@@ -5,7 +5,7 @@ a_motion = t**4 - 2 * t**3 + t**2  # Were position and slope fixed at the right 
 a_motion = 6 * t**2 - 4 * t**3  # Was the load forgotten in the equation? (hint 1)
 # Which sign does psi1 have in the adjoint equation for psi2? (hint 2)
 a_costate = [48 * (t - 1), 24 * (1 - t) ** 2]
-a_costate = [24 * (1 - t), 12 * (1 - t) ** 2]  # Was a factor lost where H is greatest? (hint 1)
+a_costate = [24 * (1 - t), 12 * (1 - t) ** 2]  # Was a factor lost at the maximum of H? (hint 1)
 # Is this the integral of the squared second derivative alone? (hint 1)
 a_value = sp.Rational(144, 5)
 a_value = -sp.Rational(288, 5)  # Is this the linear part alone? (hint 1)

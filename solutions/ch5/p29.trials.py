@@ -13,7 +13,7 @@ transversality = [psi_h - 1, psi_v]  # Is the velocity free at the end? (hint 1)
 transversality = [psi_h - 1, psi_m]  # Is the mass free at the end? (hint 1)
 transversality = [psi_v, psi_m]  # Which of the states has no given value at the end? (hint 1)
 switching = psi_v  # Does a burn change the speed alone? (hint 1)
-# Does full thrust make $H$ greatest or least where this is positive? (hint 1)
+# Does full thrust maximise or minimise $H$ where this is positive? (hint 1)
 switching = psi_m / c - psi_v / m
 switching = psi_v / m + psi_m / c  # Does the mass grow while the engine runs? (hint 1)
 rate = -psi_h / m + psi_v * P / (c * m**2)  # Was the equation for $\psi_m$ inserted? (hint 1)

@@ -13,7 +13,7 @@ transversality = [psi_h - 1]  # Is the height free at the end, or the mass? (hin
 transversality = [psi_m + 1]  # Is the final mass minimised or maximised? (hint 2)
 transversality = [psi_m - 1, psi_v]  # Is the velocity free at the end? (hint 1)
 switching = psi_v / m - psi_m / c  # In which direction does the thrust push here? (hint 2)
-# Does full thrust make $H$ greatest or least where this is positive? (hint 1)
+# Does full thrust maximise or minimise $H$ where this is positive? (hint 1)
 switching = psi_v / m + psi_m / c
 rate = -psi_h / m  # Which sign does the velocity's costate have in the switching function? (hint 1)
 rate = psi_h / m - 2 * psi_v * P / (c * m**2)  # Do the two terms with the thrust add up? (hint 1)

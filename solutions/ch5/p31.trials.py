@@ -17,7 +17,7 @@ time_transversality = [psi1, psi2, psi3, psi4]  # Can all costates vanish togeth
 # Where does the thrust point if both costates are negative? (hint 2)
 direction = sp.atan(psi4 / psi3)
 direction = sp.atan2(psi3, psi4)  # Which costate belongs to the sine? (hint 1)
-direction = sp.atan2(-psi4, -psi3)  # Does this direction make $H$ greatest or least? (hint 2)
+direction = sp.atan2(-psi4, -psi3)  # Does this direction maximise or minimise $H$? (hint 2)
 # Does the derivative of your third costate have the sign that the adjoint equation gives? (hint 2)
 costate = [k1, k2, k3 - k1 * (T - t), k4 - k2 * (T - t)]
 # At which end are the values of the costates known? (hint 2)

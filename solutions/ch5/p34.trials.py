@@ -10,7 +10,7 @@ transversality = [psi1, psi2]  # Is the position free at the end, or the velocit
 transversality = [psi1, psi2, psi3, psi4]  # Is nothing given at the end? (hint 1)
 direction = sp.atan(psi4 / psi3)  # Try a thrust that has to point backwards. (hint 2)
 direction = sp.atan2(psi3, psi4)  # Which of the costates belongs to the cosine? (hint 1)
-direction = sp.atan2(-psi4, -psi3)  # Does this make $H$ greatest or least? (hint 1)
+direction = sp.atan2(-psi4, -psi3)  # Does this maximise or minimise $H$? (hint 1)
 # How far does a constant thrust move the point? (hint 2)
 equation = sp.Eq(a**2 * T**4, (x0 + v_x0 * T) ** 2 + (y0 + v_y0 * T) ** 2)
 # Was the initial velocity forgotten? (hint 2)

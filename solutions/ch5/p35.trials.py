@@ -7,7 +7,7 @@ adjoint = [0, 0, psi1, psi2]  # Which sign precedes the derivative of $H$? (hint
 # Which states does $H$ contain, the positions or the velocities? (hint 1)
 adjoint = [-psi3, -psi4, 0, 0]
 direction = sp.atan(psi4 / psi3)  # Try a thrust that has to point backwards. (hint 2)
-direction = sp.atan2(-psi4, -psi3)  # Does this make $H$ greatest or least? (hint 1)
+direction = sp.atan2(-psi4, -psi3)  # Does this maximise or minimise $H$? (hint 1)
 rest_time = sp.sqrt(2 * sp.sqrt(x0**2 + y0**2) / a)  # Does the ship stop at its target? (hint 2)
 # Is half of the distance covered in this half of the time? (hint 2)
 rest_time = 2 * sp.sqrt(2 * sp.sqrt(x0**2 + y0**2) / a)

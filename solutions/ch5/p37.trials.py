@@ -12,7 +12,7 @@ a_transversality = [psi1 + 1, psi2, psi3]
 a_transversality = [psi1 - 1, psi2]  # Is the speed prescribed at the end? (hint 1)
 # Which sign does the weight have in the third equation? (hint 1)
 a_direction = sp.atan2(psi2 * v + psi3 * g, psi1 * v)
-# For which signs does this angle make $H$ least? (hint 2)
+# For which signs does this angle minimise $H$? (hint 2)
 a_direction = sp.atan((psi2 * v - psi3 * g) / (psi1 * v))
 # Does the dive become flatter or steeper? Follow the signs of the two rates. (hint 2)
 a_equation = -g * sp.cos(theta) / v

@@ -7,7 +7,9 @@ a_adjoint = [-psi_x * U.diff(x) - psi_y * U.diff(y), -psi_x * V.diff(x) - psi_y 
 # Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [psi_x * U.diff(x) + psi_y * V.diff(x), psi_x * U.diff(y) + psi_y * V.diff(y)]
 a_maximum = sp.atan(psi_y / psi_x)  # What does this give when $\psi_x$ is negative? (hint 2)
-a_maximum = sp.atan2(-psi_y, -psi_x)  # Is $H$ greatest or least on this heading? (hint 1)
+a_maximum = sp.atan2(
+    -psi_y, -psi_x
+)  # Does $H$ have a maximum or a minimum on this heading? (hint 1)
 # The problem book prints this. What becomes of its last term when the axes are turned by a right
 # angle? (hint 2)
 a_equation = (

@@ -25,7 +25,7 @@ b_area = v**2 * T**2 / (4 * sp.pi)  # Is this the area without wind? (hint 1)
 b_area = T**2 * (v**2 - V**2) / (4 * sp.pi)  # Is the loop a circle, flown at a mean speed? (hint 1)
 
 # %% right
-# opposite to the heading where $H$ is least
+# opposite to the heading where $H$ has its minimum
 a_maximum = sp.pi + sp.atan2(-psi_y - x / 2, y / 2 - psi_x)
 # by the eccentricity
 b_pace = (

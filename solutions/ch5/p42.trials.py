@@ -20,7 +20,7 @@ a_transversality = [psi1]  # Which state is given at the end, and which is not? 
 a_transversality = [psi1, psi2]  # Is the distance free at the end? (hint 1)
 # Which sign does the sine have in the equation for $\beta$? (hint 1)
 a_control = sp.atan2(psi2 / (r * c), psi1)
-# Which of the two directions with this tangent makes $H$ greatest? (hint 1)
+# Which of the two directions with this tangent maximises $H$? (hint 1)
 a_control = sp.atan(-psi2 / (r * c * psi1))
 a_control = sp.atan2(-psi2, psi1)  # By what is the second costate multiplied in $H$? (hint 1)
 # Is the first costate constant while the second one changes? (hint 2)

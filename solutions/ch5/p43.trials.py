@@ -19,7 +19,7 @@ a_adjoint = [
 a_transversality = [psi1]  # Which state has a given value at the end? (hint 1)
 a_transversality = [psi1, psi2]  # Is the distance at the end free? (hint 1)
 a_control = sp.atan2(psi2 / (r * c), psi1)  # With which sign does the sine enter? (hint 1)
-a_control = sp.atan2(psi2 / (r * c), -psi1)  # Is $H$ least or greatest there? (hint 1)
+a_control = sp.atan2(psi2 / (r * c), -psi1)  # Does $H$ have a minimum or a maximum there? (hint 1)
 # Does the first costate not change with time?
 a_rate = -b * (1 - c) / (r * c) * sp.cos(alpha) * sp.sin(alpha - beta)
 # Does the sign of the cost reverse the rate of the control? (hint 1)

@@ -17,7 +17,7 @@ a_transversality = [psi1, psi2]  # Is the distance free at the end? (hint 1)
 a_transversality = [psi1]
 # Was the distance in the coefficient of the square of the control forgotten? (hint 1)
 a_control = psi2 / 2
-# Is $H$ greatest there? Which sign does the linear term have? (hint 1)
+# Does $H$ have its maximum there? Which sign does the linear term have? (hint 1)
 a_control = -psi2 / (2 * rho**2)
 # Is the distance in the control constant while the costate changes? (hint 1)
 a_rate = 2 * omega * (omega**2 - k**2) + 2 * k * u

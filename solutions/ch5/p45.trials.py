@@ -22,7 +22,7 @@ switching = psi3  # Can the rate of turn be negative? (hint 1)
 switching = psi3 * (k - 2 * v) * omega / rho
 switching = -psi3 * omega / rho  # Does $H$ grow or fall with the gain? (hint 1)
 gain = kbar * sp.sign(psi3)  # Which other factor has a sign? (hint 1)
-gain = -kbar * sp.sign(psi3 * omega)  # Is $H$ greatest or least there? (hint 1)
+gain = -kbar * sp.sign(psi3 * omega)  # Does $H$ have a maximum or a minimum there? (hint 1)
 rate = -2 * psi2 * omega**2  # Does the distance change meanwhile? (hint 1)
 # By what was the product of costate and rate of turn divided? (hint 1)
 rate = -2 * psi2 * rho * omega**2 - psi3 * v * omega / rho**2

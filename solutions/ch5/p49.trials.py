@@ -7,7 +7,7 @@ adjoint = [1 - y**2, u]  # Are these the equations of motion themselves? (hint 1
 transversality = [psi1 + 1]  # Is the drift minimised or maximised? (hint 1)
 transversality = [psi1 - 1, psi2]  # Is the position across the river free at the end? (hint 1)
 regular = sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
-regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
+regular = -sp.sign(psi2)  # Does this maximise or minimise $H$? (hint 1)
 # Where is the water at rest, and where does the switching function stay zero? (hint 1)
 surface = sp.Eq(y**2, 1)
 surface = sp.Eq(x, 0)  # Which coordinate does the derivative contain? (hint 1)

@@ -13,7 +13,7 @@ transversality = [psi_h + 1]  # Is the height minimised or maximised? (hint 2)
 transversality = [psi_h - 1, psi_v]  # Is the velocity free at the end? (hint 1)
 transversality = [psi_h - 1, psi_m]  # Is the mass free at the end? (hint 1)
 switching = psi_v  # Does a burn change the speed alone? (hint 1)
-# Does full thrust make $H$ greatest or least where this is positive? (hint 1)
+# Does full thrust maximise or minimise $H$ where this is positive? (hint 1)
 switching = psi_m / c - psi_v / m
 rate = -psi_h / m  # Is this the derivative without drag? (hint 2)
 # Does the drag occur in two of the adjoint equations? (hint 1)

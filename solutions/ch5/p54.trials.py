@@ -9,7 +9,7 @@ a_adjoint = [-psi2 * sp.sin(beta) / rho**2, psi1 * sp.sin(beta) + psi2 * sp.cos(
 a_adjoint = [0, -psi1 * sp.sin(beta) - psi2 * sp.cos(beta) / rho]
 a_transversality = [psi1]  # Which coordinate is given at the end? (hint 1)
 a_transversality = [psi1, psi2]  # Are both coordinates free at the end? (hint 1)
-a_control = -ubar * sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
+a_control = -ubar * sp.sign(psi2)  # Does this maximise or minimise $H$? (hint 1)
 a_control = ubar * sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
 # This is where the distance is stationary. Where is $\psi_2$ stationary? (hint 1)
 a_surface = sp.Eq(sp.cos(beta), b)

@@ -8,7 +8,7 @@ a_adjoint = [2 * x1, -psi1 + 4 * x2]
 # Which sign precedes the derivative of $H$? (hint 1)
 a_adjoint = [psi2 - 2 * x1, psi1 - 4 * x2]
 a_regular = sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
-a_regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
+a_regular = -sp.sign(psi2)  # Does this maximise or minimise $H$? (hint 1)
 b_surface = sp.Eq(x2, x1)  # Was $H = 0$ used with both terms of the cost? (hint 2)
 b_surface = sp.Eq(x2, -x1 / sp.sqrt(2))  # Did the square root leave one line only? (hint 2)
 b_control = -x1  # Does this keep the switching function at zero? (hint 1)

@@ -5,7 +5,7 @@ a_pontryagin = psi1 * x2 + psi2 * u  # Where is the integrand of the cost? (hint
 a_adjoint = [-2 * x1, -psi1]
 a_adjoint = [2 * x1, psi1]  # Look at the sign of the second equation. (hint 1)
 a_regular = sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
-a_regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
+a_regular = -sp.sign(psi2)  # Does this maximise or minimise $H$? (hint 1)
 # Is this all that follows from the derivatives? Differentiate once more. (hint 1)
 b_surface = [sp.Eq(x1, 0)]
 b_surface = [sp.Eq(x2, 0)]  # What follows from the derivative before this one? (hint 1)
@@ -17,7 +17,7 @@ b_order = 1  # Does the second derivative contain the control? (hint 1)
 c_kelley = 2  # Which power of $-1$ belongs to this order? (hint 1)
 c_kelley = -1  # Was the factor of the square in the cost kept? (hint 1)
 c_holds = "no"  # Which sign does the condition require if $H$ is maximised? (hint 1)
-# This curve belongs to the least time. Does the control switch on it only once? (hint 1)
+# This curve belongs to the minimum time. Does the control switch on it only once? (hint 1)
 d_curve = x2**2 / 2
 # Is this curve steep enough for the motion to cross it? (hint 3)
 d_curve = sp.sqrt((sp.sqrt(33) + 1) / 24) * x2**2
@@ -25,7 +25,7 @@ d_curve = sp.sqrt((sp.sqrt(33) + 1) / 24) * x2**2
 d_curve = sp.sqrt((sp.sqrt(33) - 1) / 24) * x2
 # On which side of the origin is the body when it begins to brake? (hint 1)
 d_curve = -sp.sqrt((sp.sqrt(33) - 1) / 24) * x2**2
-# Was the cost of the least time taken? (hint 1)
+# Was the cost of minimum time taken? (hint 1)
 t, w = sp.Symbol("t"), sp.sqrt(b + c**2 / 2)
 d_cost = sp.integrate((b + c * t - t**2 / 2) ** 2, (t, 0, c + w)) + w**5 / 20
 # Does the cost not depend on the initial speed? (hint 3)

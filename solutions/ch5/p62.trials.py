@@ -6,7 +6,7 @@ a_pontryagin = psi1 * x1 + psi2 * x2 + u - x1**2
 a_adjoint = [-2 * x1, -psi1]
 a_adjoint = [2 * x1, psi1]  # Look at the sign of the second equation. (hint 1)
 a_regular = sp.sign(psi1)  # Which costate is the factor of the control? (hint 1)
-# Does this make $H$ greatest, or is it only a plausible guess? (hint 1)
+# Does this maximise $H$, or is it only a plausible guess? (hint 1)
 a_regular = -sp.sign(x1)
 # Is this all that follows from the derivatives? Differentiate once more. (hint 1)
 b_surface = [sp.Eq(x1, 0)]

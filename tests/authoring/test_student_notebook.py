@@ -51,6 +51,9 @@ def links(tmp_path):
         ),
         ("(a-label)=\nText", "Text"),
         ("[no such](#thm-9-9)", "no such"),
+        ("{printed}`added` Let $x$. {printed}`err-1-margin`\nIt", "Let $x$.\nIt"),
+        ("{printed}`added`\n\n$$\nx\n$$", "$$\nx\n$$"),
+        (":::{fold} Compared\nText.\n:::\n", "> **Compared**\n>\n> Text.\n"),
     ],
 )
 def test_markdown(myst, plain, links):

@@ -70,6 +70,8 @@ def plain_markdown(text, links=None, number=""):
         text,
     )
     text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
+    # remarks on the printed book
+    text = re.sub(r"^\{printed\}`[^`]*`\s*| \{printed\}`[^`]*`", "", text, flags=re.M)
     text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
     text = THIRD_DERIVATIVE.sub(lambda m: rf"\overset{{\ldots}}{{{m[1] or m[2]}}}", text)
     text = re.sub(r"\n{3,}", "\n\n", text).strip()

@@ -17,6 +17,7 @@ numbering         numbers of equations and theorems follow their labels
 library           the pages of the library, by autodoc and numpydoc (`docstrings`)
 uses              links between the names of the library and the pages that use them
 tiles             pages with their titles and pictures, for the front page
+printed_book      marks and folds with remarks on the printed book
 lectures          blocks that only the notebook of a lecture shows
 check_cases       answers that checks accept and reject, from the tables that are their tests
 control_problems  test problems of optimal control, from the records that are their tests
@@ -48,6 +49,7 @@ from workbook_site import (
     listings,
     numbering,
     offline,
+    printed_book,
     problem_pages,
     punctuation,
     routes,
@@ -77,6 +79,7 @@ EXTENSIONS = (
     uses,
     library,
     lectures,
+    printed_book,
     tiles,
     check_cases,
     search_index,

@@ -32,8 +32,8 @@ SKIPPED = (
     addnodes.toctree,
 )
 UNSEARCHED = {"cell", "problem-head", "used-in"}
-#: The title of a statement: "1.2 (Hurwitz criterion)", "(added): duality" or "3.1".
-STATEMENT = re.compile(r"(?P<number>\d+\.\d+)?\s*(?:\([^()]*\):|\(added\))?\s*\(?(?P<name>.*?)\)?")
+#: The title of a statement: "1.2 (Hurwitz criterion)", "(duality)" or "3.1".
+STATEMENT = re.compile(r"(?P<number>\d+\.\d+)?\s*(?:\([^()]*\):)?\s*\(?(?P<name>.*?)\)?")
 EXAMPLE = re.compile(r"exm-(\d+)-(\d+)")
 #: Sections that list what has entries of its own.
 LIST = re.compile(r"sections|topics-.*")
@@ -60,7 +60,7 @@ def words(node):
 
 
 def _pieces(node):
-    if isinstance(node, SKIPPED) or _is_unresolved(node):
+    if isinstance(node, SKIPPED) or _is_unresolved(node) or _is_mark(node):
         return
     if isinstance(node, nodes.raw):
         yield html.unescape(re.sub(r"<[^>]+>", "", node.astext()))
@@ -78,6 +78,11 @@ def _pieces(node):
 def _is_unresolved(node):
     """Return whether a reference shows a label or a key until all pages are read."""
     return isinstance(node, addnodes.pending_xref) and not node.get("refexplicit")
+
+
+def _is_mark(node):
+    """Return whether a node is a remark on the printed book, hidden unless a reader asks for it."""
+    return isinstance(node, nodes.inline) and "printed" in node["classes"]
 
 
 class PageEntries:

@@ -83,7 +83,7 @@ CASES = [
         [[0, 1, 1], [-1, 1, 1]],
         DRIVEN,
         "right",
-        "a part of the deviations from a program motion",
+        "a part of the deviations from a nominal motion",
     ),
     Case(
         "eigenvalue_multiplicities",
@@ -128,7 +128,7 @@ CASES = [
         "stable",
         DRIVEN,
         "right",
-        "a part of the deviations from a program motion",
+        "a part of the deviations from a nominal motion",
     ),
     Case("critical_stability", "stable", PAIR, "wrong", "Jordan blocks overlooked"),
     Case("critical_stability", "asymptotically stable", SETTLES, "wrong", "a simple zero"),
