@@ -48,6 +48,10 @@ class Problem(Statement):
         a parameter k' = 0, becomes a terminal inequality.
     terminal_inequalities : list of sympy inequalities, optional
         Those at the final time; inequalities among `terminal` are added to them.
+    time : sympy.Symbol, optional
+        The time since the start, where dynamics, cost, constraints or ends depend on it. It is then
+        the last state, with the rate 1; `terminal` may set it equal to a state with rate 0, which
+        is the final time wherever that enters.
 
     Raises
     ------
@@ -81,6 +85,12 @@ class Problem(Statement):
 
     >>> Problem({x1: x1 + u}, {u: None}, {x1: 1}, running=x1**2 + u**2, duration=sp.oo).solve()
     Extremal(cost=2.41421356237, duration=inf, arcs: interior [0, inf])
+
+    A force that grows in time: full speed gives x = t + t**2/2.
+
+    >>> t = sp.Symbol("t")
+    >>> round(Problem({x1: u + t}, {u: (-1, 1)}, {x1: 0}, {x1: 4}, time=t).solve().duration, 9)
+    2.0
     """
 
     def conditions(self) -> Conditions:

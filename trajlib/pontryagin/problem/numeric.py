@@ -91,6 +91,16 @@ class NumericProblem:
         self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
         self.time_bounds_given = isinstance(problem.duration, tuple)
 
+    @cached_property
+    def assumed_start(self):
+        """Initial values with 0 for a free one; with 1 where the problem is not defined at 0."""
+        zero, one = (np.where(np.isnan(self.start), value, self.start) for value in (0.0, 1.0))
+        values = ca.Function("values", [self.x, self.u], [self.field, self.density, self.path])
+        defined = all(
+            np.isfinite(part).all() for part in map(np.array, values(zero, self.middle()))
+        )
+        return zero if defined else one
+
     def cached(self, name, compute):
         """Return the result of `compute()`, kept under a name: a CasADi function is built once."""
         results = self.__dict__.setdefault("_cached", {})
