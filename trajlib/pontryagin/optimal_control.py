@@ -184,6 +184,7 @@ class Problem(Statement):
         scheme: str = "runge-kutta",
         tolerance: float = 1e-9,
         guess: "DirectProcess | Extremal | dict | None" = None,
+        time_limit: float | None = None,
     ) -> "DirectProcess":
         """Find a process by a nonlinear programme on a grid (direct transcription).
 
@@ -198,6 +199,8 @@ class Problem(Statement):
             Of IPOPT, in natural units.
         guess : DirectProcess, Extremal or dict, optional
             An earlier solution on any grid, or values as for `solve`.
+        time_limit : float, optional
+            Seconds after which any step ends; `NotConverged` says so.
 
         Returns
         -------
@@ -216,7 +219,7 @@ class Problem(Statement):
         """
         from trajlib.pontryagin.indirect.solve_direct import solve_direct
 
-        return solve_direct(self, grid, scheme, tolerance, guess)
+        return solve_direct(self, grid, scheme, tolerance, guess, time_limit)
 
     def _repr_markdown_(self):
         return problem_markdown(self)
