@@ -67,7 +67,7 @@ class Ipopt:
 def _stop_in_time(variables, constraints):
     """Return a CasADi callback by which IPOPT stops between two iterations when the time is over."""
 
-    class Stop(ca.Callback):  # type: ignore[name-defined]
+    class Stop(ca.Callback):
         def __init__(self):
             ca.Callback.__init__(self)
             self.construct("stop", {})
