@@ -409,3 +409,27 @@ def test_switchings_too_close_for_the_grid_are_named():
     with pytest.raises(WrongStructure, match="u has no singular arc") as error:
         crane(R("10.0597")).solve()
     assert not isinstance(error.value, NotUnique)
+
+
+@pytest.mark.parametrize(
+    ("resistance", "expected"),
+    [
+        (lambda v: sp.Abs(v) * v, r"Abs\(v\) has no derivative for complex v; declare it as sp"),
+        (lambda v: sp.sign(v) / 4, r"sign\(v\) jumps, .* such as tanh\(v/epsilon\)"),
+        (lambda v: sp.Heaviside(v) / 4, r"Heaviside\(v\) jumps"),
+        (lambda v: sp.floor(v), r"floor\(v\) jumps"),
+    ],
+)
+def test_states_without_a_derivative(resistance, expected):
+    x, v, u = sp.symbols("x v u")
+    with pytest.raises(ValueError, match=f"solve: {expected}"):
+        Problem({x: v, v: u - resistance(v)}, {u: (-1, 1)}, {x: 0, v: 0}, {x: 1, v: 0}).solve()
+
+
+def test_a_modulus_of_a_real_state():
+    """v' = 1 - v^2 and then -1 - v^2, from rest to rest: tanh and tan, lengths by logarithms."""
+    x, v, u = sp.symbols("x v u", real=True)
+    drag = Problem({x: v, v: u - sp.Abs(v) * v}, {u: (-1, 1)}, {x: 0, v: 0}, {x: 1, v: 0})
+    first, second = drag.solve().switching_times[0], drag.solve().duration
+    assert np.tanh(first) == pytest.approx(np.tan(second - first), abs=1e-9)
+    assert np.log(np.cosh(first)) - np.log(np.cos(second - first)) == pytest.approx(1, abs=1e-9)
