@@ -44,8 +44,9 @@ class Problem(Statement):
         exactly one terminal equation.
     path : list of sympy inequalities, optional
         Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1], and bounds of a
-        control such as u <= x/4. A constraint that holds at all times if it holds at the end, as on
-        a parameter k' = 0, becomes a terminal inequality.
+        control such as u <= x/4; also those that can be solved for it, as u**2 + v**2 <= 1. A
+        constraint that holds at all times if it holds at the end, as on a parameter k' = 0, becomes
+        a terminal inequality.
     terminal_inequalities : list of sympy inequalities, optional
         Those at the final time; inequalities among `terminal` are added to them.
     time : sympy.Symbol, optional
