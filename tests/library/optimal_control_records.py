@@ -1,13 +1,15 @@
 """Test problems of optimal control: statement, arcs, times and cost by two routes, source, prints.
 
 The first route is `Problem.solve`; the second stands with each record: a closed form, or SciPy's
-integrator with the conditions written out by hand. The tests of the library compare both, and the
-book lists the records. Nothing here is a test.
+integrator with the conditions written out by hand. The tests of the library compare both. Nothing
+here is a test. Run as a script it writes the data file of `trajlib.pontryagin.registry`.
 """
 
 import itertools
+import json
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import sympy as sp
@@ -793,7 +795,9 @@ UNCONSTRAINED = {
 }
 
 
-NAMES = (*UNCONSTRAINED, *INTEGRATED, *CONSTRAINED)
+GROUPS = {"unconstrained": UNCONSTRAINED, "integrated": INTEGRATED, "constrained": CONSTRAINED}
+NAMES = tuple(name for group in GROUPS.values() for name in group)
+FILE = Path(__file__).parents[2] / "trajlib" / "pontryagin" / "problems.json"
 
 
 @cache
@@ -829,8 +833,14 @@ def data(name):
         "source": value.source,
         "published": [[where, number] for where, number, _ in value.published],
         "refuted": [list(pair) for pair in value.refuted],
+        "group": next(group for group, records in GROUPS.items() if name in records),
     }
 
 
 def _duration(duration):
     return [str(d) for d in duration] if isinstance(duration, tuple) else duration and str(duration)
+
+
+if __name__ == "__main__":
+    table = {"problems": {name: data(name) for name in NAMES}}
+    FILE.write_text(json.dumps(table, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
