@@ -81,9 +81,9 @@ def problems(name: str | None = None) -> "tuple[str, ...] | KnownProblem":
     >>> from trajlib.pontryagin import problems
     >>> goddard = problems("goddard")
     >>> goddard.arcs, goddard.digits
-    (['u+', 'singular', 'u-'], '1.01283691')
+    (['u+', 'singular', 'u-'], '1.01283692')
     >>> round(goddard.problem.solve().cost, 8)
-    1.01283691
+    1.01283692
     """
     table = _data()
     if name is None:
