@@ -7,12 +7,13 @@ here is a test. Run as a script it writes the data file of `trajlib.pontryagin.r
 
 import itertools
 import json
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import sympy as sp
+from classical_control_records import CLASSICAL
+from control_record import Record
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, fsolve, minimize, minimize_scalar
 
@@ -21,26 +22,6 @@ from trajlib.pontryagin import Problem
 R = sp.Rational
 x, y, v, w, t, h, m, u, theta, a, b, c, k = sp.symbols("x y v w t h m u theta a b c k")
 x1, x2, x3, x4, x5, x6, u1, u2, u3 = sp.symbols("x1:7 u1:4")
-
-
-@dataclass
-class Record:
-    """A problem with its arcs, junction times and cost by a route other than `Problem.solve`.
-
-    `arcs` and `times` are None where they are not compared. `source` is empty for a problem that was
-    made for these tests. `published`: (print, value, tolerance) that agree; `refuted`: (print, value)
-    that do not.
-    """
-
-    problem: Problem
-    arcs: list | None
-    times: list | None
-    cost: float
-    route: str
-    source: str = ""
-    tolerance: float = 1e-10
-    published: tuple = ()
-    refuted: tuple = ()
 
 
 def bryson_denham(limit):
@@ -795,7 +776,12 @@ UNCONSTRAINED = {
 }
 
 
-GROUPS = {"unconstrained": UNCONSTRAINED, "integrated": INTEGRATED, "constrained": CONSTRAINED}
+GROUPS = {
+    "classical": CLASSICAL,
+    "unconstrained": UNCONSTRAINED,
+    "integrated": INTEGRATED,
+    "constrained": CONSTRAINED,
+}
 NAMES = tuple(name for group in GROUPS.values() for name in group)
 FILE = Path(__file__).parents[2] / "trajlib" / "pontryagin" / "problems.json"
 
@@ -803,7 +789,7 @@ FILE = Path(__file__).parents[2] / "trajlib" / "pontryagin" / "problems.json"
 @cache
 def record(name):
     """Return the record of a name, its second route being computed once."""
-    value = {**CONSTRAINED, **INTEGRATED, **UNCONSTRAINED}[name]
+    value = next(records[name] for records in GROUPS.values() if name in records)
     return value() if callable(value) else value
 
 

@@ -6,6 +6,7 @@ import jsonschema
 import optimal_control_records
 import pytest
 import sympy as sp
+from classical_control_records import CLASSICAL
 from optimal_control_records import NAMES, UNCONSTRAINED
 
 from trajlib.pontryagin import Infeasible, NotUnique, Problem, problems
@@ -31,6 +32,19 @@ def test_record(name):
     if "singular" in (record.arcs or []):
         assert evidence.kelley < 0
     assert extremal.optimality.kind == ("proved" if name in PROVED else "locally minimal")
+
+
+@pytest.mark.parametrize("name", CLASSICAL)
+def test_classical_problem(name):
+    record = optimal_control_records.record(name)
+    extremal = problems(name).problem.solve()
+    assert extremal.cost == pytest.approx(record.cost, rel=record.tolerance)
+    assert [kind for kind, _, _ in extremal.arcs] == record.arcs
+    if record.times is not None:
+        assert extremal.switching_times == pytest.approx(record.times, abs=1e-9)
+    for _, value, tolerance in record.published:
+        assert abs(extremal.cost - value) <= tolerance
+    assert extremal.certificate().holds()
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -42,7 +42,7 @@ class KnownProblem:
     published, refuted : list of [str, float]
         Printed values, with the place, that agree with both routes, and that do not.
     group : str
-        "unconstrained", "integrated" or "constrained".
+        "classical", "unconstrained", "integrated" or "constrained".
     """
 
     name: str
@@ -107,7 +107,7 @@ def _data():
 @cache
 def _known(name):
     entry = _data()[name]
-    symbols = {s: sp.Symbol(s) for part in ("dynamics", "controls") for s in entry[part]}
+    symbols = {s: sp.Symbol(s, real=True) for part in ("dynamics", "controls") for s in entry[part]}
 
     def read(value: Any):
         if isinstance(value, list):
