@@ -1,16 +1,19 @@
 """Test problems of optimal control: statement, arcs, times and cost by two routes, source, prints.
 
 The first route is `Problem.solve`; the second stands with each record: a closed form, or SciPy's
-integrator with the conditions written out by hand. The tests of the library compare both, and the
-book lists the records. Nothing here is a test.
+integrator with the conditions written out by hand. The tests of the library compare both. Nothing
+here is a test. Run as a script it writes the data file of `trajlib.pontryagin.registry`.
 """
 
 import itertools
-from dataclasses import dataclass
+import json
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import sympy as sp
+from classical_control_records import CLASSICAL
+from control_record import Record
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, fsolve, minimize, minimize_scalar
 
@@ -19,26 +22,6 @@ from trajlib.pontryagin import Problem
 R = sp.Rational
 x, y, v, w, t, h, m, u, theta, a, b, c, k = sp.symbols("x y v w t h m u theta a b c k")
 x1, x2, x3, x4, x5, x6, u1, u2, u3 = sp.symbols("x1:7 u1:4")
-
-
-@dataclass
-class Record:
-    """A problem with its arcs, junction times and cost by a route other than `Problem.solve`.
-
-    `arcs` and `times` are None where they are not compared. `source` is empty for a problem that was
-    made for these tests. `published`: (print, value, tolerance) that agree; `refuted`: (print, value)
-    that do not.
-    """
-
-    problem: Problem
-    arcs: list | None
-    times: list | None
-    cost: float
-    route: str
-    source: str = ""
-    tolerance: float = 1e-10
-    published: tuple = ()
-    refuted: tuple = ()
 
 
 def bryson_denham(limit):
@@ -793,13 +776,20 @@ UNCONSTRAINED = {
 }
 
 
-NAMES = (*UNCONSTRAINED, *INTEGRATED, *CONSTRAINED)
+GROUPS = {
+    "classical": CLASSICAL,
+    "unconstrained": UNCONSTRAINED,
+    "integrated": INTEGRATED,
+    "constrained": CONSTRAINED,
+}
+NAMES = tuple(name for group in GROUPS.values() for name in group)
+FILE = Path(__file__).parents[2] / "trajlib" / "pontryagin" / "problems.json"
 
 
 @cache
 def record(name):
     """Return the record of a name, its second route being computed once."""
-    value = {**CONSTRAINED, **INTEGRATED, **UNCONSTRAINED}[name]
+    value = next(records[name] for records in GROUPS.values() if name in records)
     return value() if callable(value) else value
 
 
@@ -829,8 +819,14 @@ def data(name):
         "source": value.source,
         "published": [[where, number] for where, number, _ in value.published],
         "refuted": [list(pair) for pair in value.refuted],
+        "group": next(group for group, records in GROUPS.items() if name in records),
     }
 
 
 def _duration(duration):
     return [str(d) for d in duration] if isinstance(duration, tuple) else duration and str(duration)
+
+
+if __name__ == "__main__":
+    table = {"problems": {name: data(name) for name in NAMES}}
+    FILE.write_text(json.dumps(table, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

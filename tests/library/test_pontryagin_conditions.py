@@ -37,9 +37,21 @@ def test_forms_of_the_arguments():
     assert Problem(PLANE, ONE, START, [x1], duration=(1, 2)).free_time
 
 
+def test_the_time_is_the_last_state():
+    t = sp.Symbol("t")
+    given = Problem({x: u + t}, ONE, {x: 0}, {x: 4}, path=[x <= 5 + t], time=t)
+    written = Problem({x: u + t, t: 1}, ONE, {x: 0, t: 0}, {x: 4}, path=[x <= 5 + t])
+    assert given.state == (x, t) and repr(given) == repr(written)
+    assert repr(given.subs({})) == repr(written), "a copy has the time once"
+
+
 @pytest.mark.parametrize(
     "change, message",
     [
+        ({"time": "t"}, "time: expected a symbol, got 't'"),
+        ({"time": x1}, "time: x1 is among dynamics already"),
+        ({"time": u}, "time: u is among controls already"),
+        ({"time": m, "dynamics": [x2]}, "dynamics: expected a dict"),
         ({"dynamics": {}}, "dynamics: expected a dict"),
         ({"dynamics": {x1: "x2", x2: u}}, "dynamics of x1: expected a SymPy expression"),
         ({"controls": {u: (1, -1)}}, "expected lower < upper for u"),

@@ -12,6 +12,7 @@ from optimal_control_records import (
     double_integrator,
     record,
 )
+from scipy.integrate import solve_ivp
 
 from trajlib.pontryagin import (
     Chattering,
@@ -198,15 +199,17 @@ def test_certificate_between_grid_points():
         (TypeError, "path: expected a list", {"path": "x <= 1"}),
         (ValueError, "path: .* does not depend on the state", {"path": [t <= 1]}),
         (ValueError, "path: .* is a second upper bound of u", {"path": [u <= x]}),
-        (ValueError, "path: .* neither a constraint", {"path": [u**2 + x**2 <= 1]}),
+        (ValueError, "path: .* is a second lower bound of u", {"path": [u**2 + x**2 <= 1]}),
+        (ValueError, "path: .* neither a constraint", {"path": [u**2 + x**2 >= 1]}),
+        (ValueError, "path: .* neither a constraint", {"path": [u**3 + u + x <= 1]}),
         (
             ValueError,
             "first_return: not provided",
             {"path": [v <= 1], "terminal": [x], "first_return": True},
         ),
         (ValueError, "path: .* is not smooth", {"path": [sp.Max(x, v) <= 1]}),
-        (ValueError, "neither a constraint .* nor a bound", {"path": [sp.exp(u) + x <= 3]}),
-        (ValueError, "neither a constraint .* nor a bound", {"path": [u * x <= 2]}),
+        (ValueError, "path: .* is a second upper bound of u", {"path": [sp.exp(u) + x <= 3]}),
+        (ValueError, "neither a constraint .* nor one", {"path": [u * x <= 2]}),
         (ValueError, "path: .* are the same inequality", {"path": [x <= 1, x <= 1]}),
         (ValueError, "path: .* are the same inequality", {"path": [x <= 1, 2 * x <= 2]}),
         (ValueError, "terminal: .* contains a control", {"terminal": [x - 1, u <= 1]}),
@@ -215,6 +218,29 @@ def test_certificate_between_grid_points():
 def test_statements_that_are_refused(error, text, arguments):
     with pytest.raises(error, match=text):
         double_integrator(**{"terminal": {x: 1, v: 0}} | arguments)
+
+
+def test_constraints_that_are_solved_for_the_control():
+    rest = {x: 0, v: 0}, {x: 1, v: 0}
+    # v = sin t up to the middle, where 1 - cos t = 1/2
+    disc = Problem({x: v, v: u}, {u: None}, *rest, path=[u**2 + v**2 <= 1])
+    assert disc.controls[u] == (-sp.sqrt(1 - v**2), sp.sqrt(1 - v**2))
+    assert disc.solve().duration == pytest.approx(2 * np.pi / 3, abs=1e-10)
+    factor = Problem({x: v, v: u}, {u: (-1, None)}, *rest, path=[u * (1 + v**2) <= 1])
+    assert factor.controls[u] == (-1, 1 / (1 + v**2))
+    growing = Problem({x: v, v: u}, {u: (-1, None)}, *rest, path=[sp.exp(u) + v <= 2])
+    extremal = growing.solve()
+    motion = solve_ivp(
+        lambda _, y: [y[1], np.log(2 - y[1])],
+        (0, extremal.switching_times[0]),
+        [0, 0],
+        rtol=1e-12,
+        atol=1e-13,
+    )
+    position, velocity = motion.y[:, -1]
+    assert position + velocity**2 / 2 == pytest.approx(1, abs=1e-9)
+    assert extremal.duration - extremal.switching_times[0] == pytest.approx(velocity, abs=1e-9)
+    assert extremal.certificate().holds(1e-10)
 
 
 @pytest.mark.parametrize(

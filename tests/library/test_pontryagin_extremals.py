@@ -20,7 +20,7 @@ from trajlib.pontryagin.indirect.structure import detect_arcs
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
 pytestmark = pytest.mark.slow
-x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
+x, x1, x2, u, v, t, p, T = sp.symbols("x x1 x2 u v t p T")
 half = sp.Rational(1, 2)
 ONE = {u: (-1, 1)}
 
@@ -212,6 +212,45 @@ RECORDS = {
         [0.0],
         np.tanh(1),
         "the same, backwards",
+    ),
+    "final time in the dynamics": Record(
+        Problem({x: u + t / T, T: 0}, ONE, {x: 0, T: None}, [x - 2, t - T], time=t),
+        ["u+"],
+        [],
+        None,
+        4 / 3,
+        "x(T) = T + T/2",
+    ),
+    # With the thrust p it takes 2/sqrt(p): 2/sqrt(p) + p^(3/2)/2 is minimal where 3 p^2 = 4.
+    "design variable": Record(
+        Problem(
+            {x1: x2, x2: p * u, p: 0},
+            ONE,
+            {x1: 0, x2: 0, p: None},
+            {x1: 1, x2: 0},
+            running=1 + p**2 / 4,
+            path=[p >= half, p <= 3],
+        ),
+        ["u+", "u-"],
+        None,
+        None,
+        2 * 0.75**0.25 + 0.75**-0.75 / 2,
+        "calculus",
+    ),
+    "design variable at its bound": Record(
+        Problem(
+            {x1: x2, x2: p * u, p: 0},
+            ONE,
+            {x1: 0, x2: 0, p: None},
+            {x1: 1, x2: 0},
+            running=1 + p**2 / 4,
+            path=[p >= half, p <= 1],
+        ),
+        ["u+", "u-"],
+        [1.0],
+        None,
+        2.5,
+        "(1 + p^2/4) 2/sqrt(p) falls up to p = 1",
     ),
     "example 1": Record(
         Problem({x1: x2, x2: u}, ONE, {x1: 0, x2: 0}, [x2], running=x1, duration=1),

@@ -2,18 +2,18 @@
 
 import json
 
+import jsonschema
 import optimal_control_records
 import pytest
 import sympy as sp
+from classical_control_records import CLASSICAL
 from optimal_control_records import NAMES, UNCONSTRAINED
 
-from trajlib.pontryagin import Infeasible, NotUnique, Problem
+from trajlib.pontryagin import Infeasible, NotUnique, Problem, problems
 
 pytestmark = pytest.mark.slow
 x, y, v, u, x1, x2 = sp.symbols("x y v u x1 x2")
 ONE = {u: (-1, 1)}
-# Names that SymPy would read as its functions.
-SYMBOLS = {name: sp.Symbol(name) for name in ("theta", "S", "N", "Q")}
 PROVED = ["a switching function with a threefold zero at the end"]
 
 
@@ -34,28 +34,41 @@ def test_record(name):
     assert extremal.optimality.kind == ("proved" if name in PROVED else "locally minimal")
 
 
+@pytest.mark.parametrize("name", CLASSICAL)
+def test_classical_problem(name):
+    record = optimal_control_records.record(name)
+    extremal = problems(name).problem.solve()
+    assert extremal.cost == pytest.approx(record.cost, rel=record.tolerance)
+    assert [kind for kind, _, _ in extremal.arcs] == record.arcs
+    if record.times is not None:
+        assert extremal.switching_times == pytest.approx(record.times, abs=1e-9)
+    for _, value, tolerance in record.published:
+        assert abs(extremal.cost - value) <= tolerance
+    assert extremal.certificate().holds()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_data_file_states_the_same_problem(name):
-    """The data of a record, read from JSON, lead to the same statement."""
-    record = optimal_control_records.record(name)
-    entry = json.loads(json.dumps(optimal_control_records.data(name)))
-
-    def read(value):
-        if isinstance(value, list):
-            return [read(part) for part in value]
-        if isinstance(value, dict):
-            return {sp.Symbol(key): read(part) for key, part in value.items()}
-        return sp.sympify(value, locals=SYMBOLS) if isinstance(value, str) else value
-
-    parts = ("dynamics", "controls", "initial", "terminal", "running", "final", "duration", "path")
-    problem = Problem(
-        **{part: read(entry[part]) for part in parts},
-        terminal_inequalities=read(entry["terminal_inequalities"]),
-        maximise=entry["maximise"],
-    )
-    assert repr(problem) == repr(record.problem)
-    assert float(entry["cost"]) == pytest.approx(record.cost, rel=10 * record.tolerance)
+    """The registry reads the problem that the records state, with the digits of the second route."""
+    record, known = optimal_control_records.record(name), problems(name.upper())
+    assert repr(known.problem) == repr(record.problem)
+    assert known.cost == pytest.approx(record.cost, rel=10 * record.tolerance)
     assert record.source or not record.published
+    entry = json.loads(optimal_control_records.FILE.read_text(encoding="utf-8"))["problems"][name]
+    written = json.loads(json.dumps(optimal_control_records.data(name)))
+    inexact = {"cost", "times"}  # the last digit depends on the machine
+    assert {k: v for k, v in entry.items() if k not in inexact} == {
+        k: v for k, v in written.items() if k not in inexact
+    }
+
+
+def test_registry():
+    text = optimal_control_records.FILE.read_text(encoding="utf-8")
+    schema = optimal_control_records.FILE.with_suffix(".schema.json").read_text(encoding="utf-8")
+    jsonschema.validate(json.loads(text), json.loads(schema))
+    assert problems() == NAMES
+    with pytest.raises(ValueError, match="name: expected .* got 'godard'; did you mean 'Goddard'?"):
+        problems("godard")
 
 
 def test_a_process_found_late_leads_to_better_ones():

@@ -3,8 +3,8 @@
 A problem is stated once, in SymPy (`Problem`). `conditions()` derives what a textbook would write
 down; `solve()` finds an extremal (direct transcription, arcs, multiple shooting) whose
 `certificate()` is computed from the trajectory alone; `synthesis` computes planar syntheses.
-`euler_equation`, `natural_conditions` and their neighbours are the calculus of variations. Every
-name is loaded on first use.
+`euler_equation`, `natural_conditions` and their neighbours are the calculus of variations;
+`problems` has problems with known solutions. Every name is loaded on first use.
 
 Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi'
 = -dH/dy, lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
@@ -55,6 +55,7 @@ _EXPORTS = {
     ],
     "problem.elimination": ["ControlField"],
     "problem.log": ["Log", "LogEntry"],
+    "registry": ["KnownProblem", "problems"],
     "problem.state_constraints": ["StateConstraint"],
     "planar_synthesis.synthesis": ["Synthesis"],
     "planar_synthesis.construction": ["synthesis"],

@@ -27,6 +27,8 @@ from trajlib.pontryagin.problem.errors import WrongStructure as WrongStructure
 from trajlib.pontryagin.problem.log import Log as Log
 from trajlib.pontryagin.problem.log import LogEntry as LogEntry
 from trajlib.pontryagin.problem.state_constraints import StateConstraint as StateConstraint
+from trajlib.pontryagin.registry import KnownProblem as KnownProblem
+from trajlib.pontryagin.registry import problems as problems
 from trajlib.pontryagin.verification.ball_arithmetic import Enclosure as Enclosure
 from trajlib.pontryagin.verification.certificate import Certificate as Certificate
 from trajlib.pontryagin.verification.certificate import certify as certify

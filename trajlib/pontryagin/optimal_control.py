@@ -44,10 +44,15 @@ class Problem(Statement):
         exactly one terminal equation.
     path : list of sympy inequalities, optional
         Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1], and bounds of a
-        control such as u <= x/4. A constraint that holds at all times if it holds at the end, as on
-        a parameter k' = 0, becomes a terminal inequality.
+        control such as u <= x/4; also those that can be solved for it, as u**2 + v**2 <= 1. A
+        constraint that holds at all times if it holds at the end, as on a parameter k' = 0, becomes
+        a terminal inequality.
     terminal_inequalities : list of sympy inequalities, optional
         Those at the final time; inequalities among `terminal` are added to them.
+    time : sympy.Symbol, optional
+        The time since the start, where dynamics, cost, constraints or ends depend on it. It is then
+        the last state, with the rate 1; `terminal` may set it equal to a state with rate 0, which
+        is the final time wherever that enters.
 
     Raises
     ------
@@ -81,6 +86,12 @@ class Problem(Statement):
 
     >>> Problem({x1: x1 + u}, {u: None}, {x1: 1}, running=x1**2 + u**2, duration=sp.oo).solve()
     Extremal(cost=2.41421356237, duration=inf, arcs: interior [0, inf])
+
+    A force that grows in time: full speed gives x = t + t**2/2.
+
+    >>> t = sp.Symbol("t")
+    >>> round(Problem({x1: u + t}, {u: (-1, 1)}, {x1: 0}, {x1: 4}, time=t).solve().duration, 9)
+    2.0
     """
 
     def conditions(self) -> Conditions:
@@ -174,6 +185,7 @@ class Problem(Statement):
         scheme: str = "runge-kutta",
         tolerance: float = 1e-9,
         guess: "DirectProcess | Extremal | dict | None" = None,
+        time_limit: float | None = None,
     ) -> "DirectProcess":
         """Find a process by a nonlinear programme on a grid (direct transcription).
 
@@ -188,6 +200,8 @@ class Problem(Statement):
             Of IPOPT, in natural units.
         guess : DirectProcess, Extremal or dict, optional
             An earlier solution on any grid, or values as for `solve`.
+        time_limit : float, optional
+            Seconds after which any step ends; `NotConverged` says so.
 
         Returns
         -------
@@ -206,7 +220,7 @@ class Problem(Statement):
         """
         from trajlib.pontryagin.indirect.solve_direct import solve_direct
 
-        return solve_direct(self, grid, scheme, tolerance, guess)
+        return solve_direct(self, grid, scheme, tolerance, guess, time_limit)
 
     def _repr_markdown_(self):
         return problem_markdown(self)

@@ -1,47 +1,45 @@
-"""Test problems of optimal control, from the records that are the library's tests.
+"""Test problems of optimal control, from the registry of the library.
 
-`{control-problems} constrained` shows a section for each record of a table; `{control-problems-file}`
-links to the same as JSON.
+`{control-problems} constrained` shows a section for each problem of a group; `{control-problems-file}`
+links to the data file.
 """
 
-import json
-import sys
+import shutil
+from importlib.resources import as_file, files
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
+from trajlib.pontryagin import problems
 from trajlib.pontryagin.problem.presentation import problem_markdown
 from workbook_site.downloads import link
 
-#: The records, from the root of the repository, and the data file, from the root of the site.
-FOLDER, FILE = "tests/library", "book/ch5/optimal_control_problems.json"
+#: The data file, in the package and from the root of the site.
+DATA, FILE = files("trajlib.pontryagin") / "problems.json", "book/ch5/optimal_control_problems.json"
 
 
 class ControlProblems(SphinxDirective):
-    """Shows statement, arcs, times, cost, both routes, source and prints of a table of records."""
+    """Shows statement, arcs, times, cost, both routes, source and prints of a group of problems."""
 
     required_arguments = 1
 
     def run(self):
-        records = _records(self.env)
-        self.env.note_dependency(records.__file__)
-        return [
-            self._section(name, records.data(name), records.record(name).problem)
-            for name in getattr(records, self.arguments[0].upper())
-        ]
+        self.env.note_dependency(str(DATA))
+        known = map(problems, problems())
+        return [self._section(one) for one in known if one.group == self.arguments[0]]
 
-    def _section(self, name, data, problem):
-        section = nodes.section("", nodes.title("", name[0].upper() + name[1:]))
-        section["ids"].append(f"control-problem-{nodes.make_id(name)}")
-        section += self.parse_text_to_nodes(problem_markdown(problem))
+    def _section(self, known):
+        section = nodes.section("", nodes.title("", known.name[0].upper() + known.name[1:]))
+        section["ids"].append(f"control-problem-{nodes.make_id(known.name)}")
+        section += self.parse_text_to_nodes(problem_markdown(known.problem))
         rows = {
-            "Cost": data["cost"],
-            "Arcs": ", ".join(map(_arc, data["arcs"] or [])),
-            "Times": ", ".join(data["times"] or []),
-            "Second route": data["route"],
-            "Source": data["source"] or "made for these tests",
-            "Printed": ", ".join(f"{value} ({where})" for where, value in data["published"]),
-            "Refuted": ", ".join(f"{value} ({where})" for where, value in data["refuted"]),
+            "Cost": known.digits,
+            "Arcs": ", ".join(map(_arc, known.arcs or [])),
+            "Times": ", ".join(f"{time:.10g}" for time in known.times or []),
+            "Second route": known.route,
+            "Source": known.source or "made for these tests",
+            "Printed": ", ".join(f"{value} ({where})" for where, value in known.published),
+            "Refuted": ", ".join(f"{value} ({where})" for where, value in known.refuted),
         }
         fields = (
             nodes.field(
@@ -65,27 +63,15 @@ def _arc(kind):
     return kind if isinstance(kind, str) else " and ".join(kind)
 
 
-def _records(env):
-    folder = str(env.srcdir / FOLDER)
-    sys.path.insert(0, folder)
-    try:
-        import optimal_control_records
-    finally:
-        sys.path.remove(folder)
-    return optimal_control_records
-
-
-def _write(app, exception):
-    if exception is not None or app.builder.format != "html":
-        return
-    records = _records(app.env)
-    path = app.outdir / FILE
-    path.parent.mkdir(parents=True, exist_ok=True)
-    table = {name: records.data(name) for name in records.NAMES}
-    path.write_text(json.dumps(table, indent=1) + "\n", "utf-8")
+def _copy(app, exception):
+    if exception is None and app.builder.format == "html":
+        path = app.outdir / FILE
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with as_file(DATA) as data:
+            shutil.copy(data, path)
 
 
 def setup(app):
     app.add_directive("control-problems", ControlProblems)
     app.add_role("control-problems-file", ControlProblemsFileRole())
-    app.connect("build-finished", _write)
+    app.connect("build-finished", _copy)

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._lazy import casadi as ca
+from trajlib.pontryagin.direct.ipopt import Ipopt
 from trajlib.pontryagin.direct.transcription import path_rows
 from trajlib.pontryagin.problem.errors import NotConverged
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
@@ -96,18 +97,7 @@ def solve_programme(
         "f": ca.sum2(pieces) + end_cost,
         "g": ca.vertcat(*(e for e, _, _ in parts.values())),
     }
-    options = {
-        "ipopt.print_level": 0,
-        "print_time": False,
-        "ipopt.sb": "yes",
-        "ipopt.tol": tolerance,
-        "ipopt.max_iter": 1000,
-        "ipopt.bound_relax_factor": 0.0,
-        "ipopt.mu_strategy": "adaptive",
-        "show_eval_warnings": False,
-        "error_on_fail": False,
-    }
-    solver = ca.nlpsol("collocation", "ipopt", nlp, options)
+    solver = Ipopt("collocation", nlp, tolerance, 1000)
     free = np.full(X.numel(), np.inf)
     lower = np.concatenate([-free, np.tile(numeric.lower, count), [low]])
     upper = np.concatenate([free, np.tile(numeric.upper, count), [high]])
@@ -120,11 +110,10 @@ def solve_programme(
         lbg=np.concatenate([np.full(sizes[name], a) for name, (_, a, _) in parts.items()]),
         ubg=np.concatenate([np.full(sizes[name], b) for name, (_, _, b) in parts.items()]),
     )
-    stats = solver.stats()
-    if stats["return_status"] not in ("Solve_Succeeded", "Solved_To_Acceptable_Level"):
+    if not solver.solved:
         raise NotConverged(
             f"IPOPT found no solution on {N} intervals by the scheme {scheme} "
-            f"({stats['return_status']} after {stats['iter_count']} iterations). Nothing is proved by "
+            f"({solver.status} after {solver.iterations} iterations). Nothing is proved by "
             "that: give a guess, or another grid or scheme."
         )
     z, dual = (result[name].full().ravel() for name in ("x", "lam_g"))
@@ -148,7 +137,7 @@ def solve_programme(
         densities.reshape(N + 1, -1) / weights[:, None],
         terminal,
         float(result["f"]),
-        int(stats["iter_count"]),
+        solver.iterations,
         nlp,
     )
 

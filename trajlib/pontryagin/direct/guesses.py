@@ -23,7 +23,7 @@ def starting_guesses(numeric, intervals, side=None):
     )
     for _, guess in drifts[:1]:
         yield guess
-    start, end = np.nan_to_num(numeric.start), _nearest_target_point(numeric)
+    start, end = numeric.assumed_start, _nearest_target_point(numeric)
     line = start + np.linspace(0, 1, intervals + 1)[:, None] * (end - start)
     middle = np.tile(numeric.middle(), (intervals, 1))
     # Without a target the line would be one point.
@@ -55,9 +55,9 @@ def oscillating_guesses(numeric, intervals, duration, sign=1):
             axis=1,
         )
         path, _ = runge_kutta(numeric).mapaccum(intervals)(
-            np.nan_to_num(numeric.start), controls.T, duration / intervals
+            numeric.assumed_start, controls.T, duration / intervals
         )
-        states = np.vstack([np.nan_to_num(numeric.start), path.full().T])
+        states = np.vstack([numeric.assumed_start, path.full().T])
         if np.all(np.abs(np.nan_to_num(states, nan=np.inf)) < 1e6):
             result.append((duration, states, controls))
     return result
@@ -70,7 +70,7 @@ def random_guesses(numeric, intervals, duration):
     """
     random, inside = np.random.default_rng(0), (np.arange(intervals) + 0.5) / intervals
     bounded = np.isfinite(numeric.upper - numeric.lower)
-    start = np.nan_to_num(numeric.start)
+    start = numeric.assumed_start
     while True:
         waves = np.cos(np.pi * np.arange(4)[:, None] * inside) / (1 + np.arange(4)[:, None])
         shapes = random.standard_normal((numeric.k, 4)) @ waves
@@ -127,10 +127,8 @@ def _constant_controls(numeric):
 def _drift_guess(numeric, u, intervals, side):
     """Return (distance, guess) for a constant control, until closest to the target or across it."""
     horizon = numeric.duration or min(numeric.longest, 10.0)
-    path, _ = runge_kutta(numeric).mapaccum(400)(
-        np.nan_to_num(numeric.start), ca.DM(u), horizon / 400
-    )
-    states = np.vstack([np.nan_to_num(numeric.start), path.full().T])
+    path, _ = runge_kutta(numeric).mapaccum(400)(numeric.assumed_start, ca.DM(u), horizon / 400)
+    states = np.vstack([numeric.assumed_start, path.full().T])
     times = np.linspace(0, horizon, 401)
     # Diverging trajectories leave the range of floating-point numbers: keep the part before.
     ok = np.all(np.abs(np.nan_to_num(states, nan=np.inf)) < 1e6, axis=1)
@@ -161,12 +159,12 @@ def _nearest_target_point(numeric):
 
     Without terminal equations it is the initial state itself.
     """
-    point = np.nan_to_num(numeric.start)
+    point = numeric.assumed_start
     for _ in range(20 if numeric.m else 0):
         value, slope = (v.full() for v in numeric.target_value(point))
         step = np.linalg.lstsq(slope, -value.ravel(), rcond=None)[0]
         if not np.all(np.isfinite(step)):
-            return np.nan_to_num(numeric.start)
+            return numeric.assumed_start
         point = point + step
     return point
 
@@ -192,10 +190,7 @@ def read_guess(numeric, guess):
     duration = float(guess.get("duration", numeric.duration or 1.0))
     times = np.linspace(0, duration, M + 1)
     states = np.stack(
-        [
-            _sampled(guess.get(y, v), times, y)
-            for y, v in zip(problem.state, np.nan_to_num(numeric.start))
-        ],
+        [_sampled(guess.get(y, v), times, y) for y, v in zip(problem.state, numeric.assumed_start)],
         axis=1,
     )
     middles = (times[1:] + times[:-1]) / 2

@@ -2,8 +2,7 @@
 
 The controls are constant on N equal intervals, as bang arcs are; polynomial controls would pass
 their bounds between the nodes. The states at the nodes are joined by Runge-Kutta steps; the
-multipliers of these continuity equations are the costates. IPOPT relaxes bounds by 1e-8 unless an
-option forbids it, and its return status decides.
+multipliers of these continuity equations are the costates.
 """
 
 from dataclasses import dataclass, replace
@@ -11,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajlib._lazy import casadi as ca
+from trajlib.pontryagin.direct.ipopt import Ipopt
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
-from trajlib.pontryagin.problem.time_limit import seconds_left, stopped_from_within
 
 # Intervals of a discrete solution.
 INTERVALS = 80
@@ -159,25 +158,9 @@ class Transcription:
             [-free, lower.ravel(), np.full(self.arc_count, 0.0 if structure else low)]
         )
         self.limits["ubx"] = np.concatenate([free, upper.ravel(), np.full(self.arc_count, high)])
-        options = {
-            "ipopt.print_level": 0,
-            "print_time": False,
-            "ipopt.sb": "yes",
-            "ipopt.tol": 1e-9,
-            "ipopt.max_iter": patience,
-            "ipopt.bound_relax_factor": 0.0,
-            "ipopt.mu_strategy": "adaptive",
-            "show_eval_warnings": False,
-            "error_on_fail": False,
-        }
-        if near:
-            options["ipopt.adaptive_mu_globalization"] = "kkt-error"
+        options = {"adaptive_mu_globalization": "kkt-error"} if near else {}
         nlp = {"x": ca.veccat(X, U, D), "f": cost, "g": ca.vertcat(*(e for e, _, _ in parts))}
-        if seconds_left() < np.inf:
-            # A limit among IPOPT's own options would count from each call.
-            self.stop = stop_in_time(nlp["x"].numel(), nlp["g"].numel())
-            options["iteration_callback"] = self.stop
-        self.solver = ca.nlpsol("transcription", "ipopt", nlp, options)
+        self.solver = Ipopt("transcription", nlp, 1e-9, patience, **options)
 
     def _control_bounds(self):
         lower, upper = (np.tile(b, (self.N, 1)) for b in (self.numeric.lower, self.numeric.upper))
@@ -220,12 +203,10 @@ class Transcription:
                 np.full(self.arc_count, guessed_duration / self.arc_count),
             ]
         )
-        with stopped_from_within():
-            result = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
+        result = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
         z, dual = (result[name].full().ravel() for name in ("x", "lam_g"))
         states, lengths = z[: n * (N + 1)].reshape(N + 1, n), z[n * (N + 1) + k * N :]
-        status = self.solver.stats()["return_status"]
-        solved = status in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+        status, solved = self.solver.status, self.solver.solved
         values = result["g"].full().ravel()
         violation = np.maximum(limits["lbg"] - values, values - limits["ubg"])
         nearly = status == "Maximum_Iterations_Exceeded" and np.max(violation) < NEARLY
@@ -263,36 +244,6 @@ class Transcription:
             dual[self.end_offset :],
         )
         return solution if solved else replace(failure, last=solution)
-
-
-def stop_in_time(variables: int, constraints: int):
-    """Return a CasADi callback by which IPOPT stops between two iterations when the time is over."""
-
-    class Stop(ca.Callback):  # type: ignore[name-defined]
-        def __init__(self):
-            ca.Callback.__init__(self)
-            self.construct("stop", {})
-
-        def get_n_in(self):
-            return ca.nlpsol_n_out()
-
-        def get_n_out(self):
-            return 1
-
-        def get_sparsity_in(self, i):
-            sizes = {
-                "f": 1,
-                "x": variables,
-                "lam_x": variables,
-                "g": constraints,
-                "lam_g": constraints,
-            }
-            return ca.Sparsity.dense(sizes.get(ca.nlpsol_out(i), 0), 1)
-
-        def eval(self, arguments):
-            return [float(seconds_left() == 0)]
-
-    return Stop()
 
 
 def path_rows(numeric: NumericProblem, intervals: int) -> np.ndarray:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._lazy import casadi as ca
+from trajlib.pontryagin.direct.ipopt import Ipopt
 from trajlib.pontryagin.indirect.flow import extrapolated_midpoint
 
 # Steps of the integrator on an arc, largest number of arcs, and relative change of the cost below
@@ -116,21 +117,8 @@ def _best_process(numeric, first, guess, singular_control, duration):
         ca.substitute(numeric.target, numeric.x, state[: numeric.n]) if numeric.m else ca.SX(0, 1)
     )
     total = ca.sum1(lengths)
-    programme = ca.nlpsol(
-        "lengths",
-        "ipopt",
-        {"x": lengths, "f": cost, "g": ca.vertcat(target, total)},
-        {
-            "ipopt.print_level": 0,
-            "print_time": False,
-            "ipopt.sb": "yes",
-            "ipopt.tol": 1e-14,
-            "ipopt.bound_relax_factor": 0.0,
-            "ipopt.max_iter": 100,
-            "show_eval_warnings": False,
-            "error_on_fail": False,
-        },
-    )
+    nlp = {"x": lengths, "f": cost, "g": ca.vertcat(target, total)}
+    programme = Ipopt("lengths", nlp, 1e-14, 100, mu_strategy="monotone")
     result = programme(
         x0=guess,
         lbx=0,

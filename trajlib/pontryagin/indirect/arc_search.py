@@ -14,6 +14,7 @@ from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, t
 from trajlib.pontryagin.indirect.assembly import extremal_of_shot
 from trajlib.pontryagin.indirect.chattering import CHATTERING
 from trajlib.pontryagin.indirect.contacts import end_constraints
+from trajlib.pontryagin.indirect.newton import CANCELLING
 from trajlib.pontryagin.indirect.refinement import refine
 from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
@@ -30,6 +31,12 @@ from trajlib.pontryagin.verification.second_variation import process_of_solution
 # Lists of arcs that are tried, at most: on finer grids each contact with a boundary may be an arc or a
 # touch point. Where one of them leads to an extremal, it is among the first.
 MOST_LISTS = 20
+# Costs of discrete solutions that differ by a smaller share are those of one process.
+SAME = 1e-6
+# Share of the cost by which an extremal is worse than the discrete solution it does not belong to.
+LEFT = 1e-2
+# Growth of errors along segments from which Newton's method goes to the solution nearby.
+SHORT = 3.0
 
 
 def search_extremal(numeric, kinds, guess, starts):
@@ -53,6 +60,7 @@ class _ArcSearch:
     def __init__(self, numeric: NumericProblem, multistart: Multistart):
         self.numeric, self.multistart = numeric, multistart
         self.flow_cache: dict = {}
+        self.longest_growth = CANCELLING
         self.reasons: list = []
         self.tried = 0
 
@@ -114,7 +122,9 @@ class _ArcSearch:
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
         numeric = self.numeric.with_end_constraints(end_constraints(self.numeric, solution))
-        shot = refine(numeric, solution, arcs, duration, self.flow_cache, keep_structure)
+        shot = refine(
+            numeric, solution, arcs, duration, self.flow_cache, keep_structure, self.longest_growth
+        )
         return extremal_of_shot(
             numeric, shot, self.search_result.starts, self.search_result.processes
         )
@@ -126,6 +136,8 @@ class _ArcSearch:
             duration = fixed_duration(numeric, solution)
             CHATTERING.check(numeric, detect_arcs(numeric, solution), solution.states[-1], duration)
             extremal = self._first_certified(solution, duration)
+            if extremal is not None and self._left(solution, extremal):
+                continue
             if extremal is not None:
                 sign = 1
                 if (
@@ -140,9 +152,11 @@ class _ArcSearch:
                 if sign >= 0:
                     return extremal
                 better = _solution_beside_saddle(numeric, extremal, side)
-                if better is not None:
+                if better is not None and better.cost < solution.cost - SAME * abs(solution.cost):
                     solution, factor = better, 1
                     continue
+                # Newton's method has left a solution as good as that for the saddle.
+                self.longest_growth = SHORT
                 self.reasons.append(
                     "the extremal found is a saddle: the cost falls along its second variation"
                 )
@@ -150,6 +164,15 @@ class _ArcSearch:
             if factor is not None:
                 solution = finer_solution(numeric, solution, side, factor) or solution
         return None
+
+    def _left(self, solution, extremal):
+        """Check whether Newton's method has left a solution for a worse one; then shorten segments."""
+        sign = -1 if self.numeric.problem.maximise else 1
+        worse = sign * extremal.cost > solution.cost + LEFT * abs(solution.cost)
+        if not worse or self.longest_growth == SHORT:
+            return False
+        self.longest_growth = SHORT
+        return True
 
     def _first_certified(self, solution, duration):
         """Return the first extremal that holds, with the arcs that a solution may have, or None."""

@@ -60,7 +60,7 @@ def _occurs(flow, eta, expression):
         "factor", [flow.y, numeric.multiplier, eta], [ca.jacobian(expression, eta)]
     )
     centre = np.concatenate(
-        [np.nan_to_num(numeric.start), np.zeros(numeric.n), numeric.middle()[flow.interior]]
+        [numeric.assumed_start, np.zeros(numeric.n), numeric.middle()[flow.interior]]
     )
     values = [
         abs(float(factor(centre + 0.3 * random.standard_normal(flow.size), 1.0, 0.0)))

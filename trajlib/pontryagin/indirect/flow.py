@@ -378,7 +378,7 @@ def _at_fixed_points(numeric, expression):
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
     function = ca.Function("values", arguments, [expression])
     random = np.random.default_rng(0)
-    centre = np.nan_to_num(numeric.start)
+    centre = numeric.assumed_start
     return [
         function(
             centre + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(centre)),

@@ -49,17 +49,19 @@ def refine(
     duration: float | None,
     flow_cache: dict,
     keep_structure: bool = False,
+    longest_growth: float = CANCELLING,
 ) -> ShootingSolution:
     """Refine a discrete solution with given arcs by multiple shooting.
 
     Arcs that vanish are left out, and where the maximum condition fails the arcs are detected anew
     on the trajectory, unless the structure is to be kept. `flow_cache` holds the flows built so
-    far. Raises `WrongStructure` if nothing leads to an extremal.
+    far; errors grow by `longest_growth` at most along a segment. Raises `WrongStructure` if nothing
+    leads to an extremal.
     """
     tried_structures, reason = set(), ""
     while (structure := tuple((arc.kinds, arc.touch) for arc in arcs)) not in tried_structures:
         tried_structures.add(structure)
-        shot = shoot(numeric, solution, arcs, duration, flow_cache)
+        shot = shoot(numeric, solution, arcs, duration, flow_cache, longest_growth)
         lengths = arc_lengths(shot)
         short = int(np.argmin(lengths))
         if lengths[short] < 1e-7 * lengths.sum() and len(arcs) > 1:
@@ -97,14 +99,14 @@ def refine(
     raise WrongStructure(reason)
 
 
-def shoot(numeric, solution, arcs, duration, flow_cache):
+def shoot(numeric, solution, arcs, duration, flow_cache, longest_growth=CANCELLING):
     """Solve the equations of these arcs by Newton's method from a discrete solution.
 
     If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
     may be found from a larger lambda_0; if none is, the abnormal one is searched for. Where nothing is
     found, a bang-bang trajectory that ends on the target is tried in place of the discrete one.
     """
-    guess = _starting_values(numeric, solution, arcs, flow_cache)
+    guess = _starting_values(numeric, solution, arcs, flow_cache, longest_growth)
     shot = _solved(numeric, copy(guess), duration, abnormal=False)
     if not shot.residual <= ACCEPTED:
         reached = reach_target(numeric, guess, duration)
@@ -154,8 +156,8 @@ def arc_lengths(shot):
     return np.array(lengths)
 
 
-def _starting_values(numeric, solution, arcs, flow_cache):
-    """Cut arcs into segments along which errors grow by CANCELLING at most.
+def _starting_values(numeric, solution, arcs, flow_cache, longest_growth):
+    """Cut arcs into segments along which errors grow by `longest_growth` at most.
 
     Every segment begins with the values of the discrete solution: integrated from the beginning of
     a long arc, its errors would grow.
@@ -172,7 +174,7 @@ def _starting_values(numeric, solution, arcs, flow_cache):
             ]
             error_growth = growth(flow, points, 1 / scale, length / pieces)
             if (
-                error_growth > CANCELLING
+                error_growth > longest_growth
                 and length < SWEEP * solution.duration
                 and "interior" in flow.kinds
             ):
@@ -180,9 +182,11 @@ def _starting_values(numeric, solution, arcs, flow_cache):
                 # concave.
                 length *= _swept(numeric, flow, points[0], 1 / scale, length)
                 error_growth = growth(flow, points[:1], 1 / scale, length)
-            if error_growth <= CANCELLING or pieces >= MAX_SEGMENTS:
+            if error_growth <= longest_growth or pieces >= MAX_SEGMENTS:
                 break
-            needed = np.log(error_growth) / np.log(CANCELLING) if np.isfinite(error_growth) else 2
+            needed = (
+                np.log(error_growth) / np.log(longest_growth) if np.isfinite(error_growth) else 2
+            )
             pieces = int(min(max(np.ceil(pieces * min(needed, 4)), pieces + 1), MAX_SEGMENTS))
         if error_growth > MAX_GROWTH:
             raise WrongStructure(

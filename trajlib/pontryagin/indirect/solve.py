@@ -20,11 +20,11 @@ from trajlib.pontryagin.indirect.steps import (
     SEARCH,
 )
 from trajlib.pontryagin.indirect.structure import read_structure
-from trajlib.pontryagin.problem.errors import NotConverged, PontryaginError
+from trajlib.pontryagin.problem.errors import PontryaginError
 from trajlib.pontryagin.problem.log import current_log, logged
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.statement import Statement
-from trajlib.pontryagin.problem.time_limit import OutOfTime, limited
+from trajlib.pontryagin.problem.time_limit import in_time
 
 
 def solve(
@@ -103,25 +103,13 @@ def solve(
     >>> turnpike.solve()
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
-    _check_effort(starts, time_limit, progress)
+    _check_effort(starts, progress)
     with logged(progress) as log:
         try:
-            return _in_time(time_limit, problem, structure, guess, starts)
+            return in_time(time_limit, _solve, problem, structure, guess, starts)
         except PontryaginError as error:
             error.log = log
             raise
-
-
-def _in_time(time_limit, *arguments):
-    """Solve within the time limit."""
-    try:
-        with limited(time_limit):
-            return _solve(*arguments)
-    except OutOfTime:
-        raise NotConverged(
-            "the time limit is over: it ended a step before or after the search for processes. "
-            "Nothing is proved by that: allow more time."
-        ) from None
 
 
 def _solve(problem, structure, guess, starts):
@@ -161,13 +149,11 @@ def _solve(problem, structure, guess, starts):
     return NATURAL_UNITS.restore(scaling, SEARCH.solve(numeric, kinds, start, starts))
 
 
-def _check_effort(starts, time_limit, progress):
-    """Raise TypeError or ValueError if `starts` is no count, or `time_limit` no time."""
+def _check_effort(starts, progress):
+    """Raise TypeError or ValueError if `starts` is no count, or `progress` no truth value."""
     if not isinstance(progress, (bool, type(None))):
         raise TypeError(f"progress: expected True, False or None, got {progress!r}")
     if starts is not None and (isinstance(starts, bool) or not isinstance(starts, int)):
         raise TypeError(f"starts: expected a whole number, got {starts!r}")
     if starts is not None and starts < 1:
         raise ValueError(f"starts: expected at least one, got {starts}")
-    if time_limit is not None and not float(time_limit) > 0:
-        raise ValueError(f"time_limit: expected a positive number of seconds, got {time_limit}")

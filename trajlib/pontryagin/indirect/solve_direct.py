@@ -19,6 +19,7 @@ from trajlib.pontryagin.indirect.steps import NATURAL_UNITS, REFORMULATIONS
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import Scaling
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.problem.time_limit import in_time
 
 
 def solve_direct(
@@ -27,6 +28,7 @@ def solve_direct(
     scheme: str = "runge-kutta",
     tolerance: float = 1e-9,
     guess: DirectProcess | Extremal | dict | None = None,
+    time_limit: float | None = None,
 ) -> DirectProcess:
     """Solve the nonlinear programme of a problem; called as `problem.solve_direct(...)`.
 
@@ -44,6 +46,8 @@ def solve_direct(
     guess : DirectProcess, Extremal or dict, optional
         As for `solve`; an earlier solution may have another grid and scheme. By default the best
         discrete solution of the search of `solve`.
+    time_limit : float, optional
+        Seconds after which any step ends, as in `solve`.
 
     Returns
     -------
@@ -80,7 +84,7 @@ def solve_direct(
         raise ValueError(f"tolerance: expected a number between 0 and 1, got {tolerance}")
     if problem.duration == np.inf:
         raise ValueError("duration: expected a finite horizon for a direct solution")
-    return _solve(problem, fractions, scheme, float(tolerance), guess)
+    return in_time(time_limit, _solve, problem, fractions, scheme, float(tolerance), guess)
 
 
 def _read_grid(grid):

@@ -97,23 +97,46 @@ def bounds_from_path(controls, path):
         if not acting:
             remaining.append(relation)
             continue
-        u = next(iter(acting))
-        factor = sp.expand(relation.lhs).coeff(u)
-        remainder = sp.expand(relation.lhs - factor * u)
-        if len(acting) > 1 or not factor.is_number or remainder.has(u):
+        bounds = _bounds(relation.lhs, next(iter(acting))) if len(acting) == 1 else None
+        if bounds is None:
             raise ValueError(
-                f"path: {relation} is neither a constraint on the state nor a bound u <= b or "
-                "u >= b of one control; other mixed constraints are not provided for"
+                f"path: {relation} is neither a constraint on the state nor one that means u <= b or "
+                "u >= b, or both, for one control; other mixed constraints are not provided for"
             )
-        side = 1 if factor.is_positive else 0
-        if controls[u][side].is_finite is not False:
-            raise ValueError(
-                f"path: {relation} is a second {('lower', 'upper')[side]} bound of {u}, beside "
-                f"{controls[u][side]}; expected one (leave the other one out of controls)"
-            )
-        bound = -remainder / factor
-        controls[u] = (controls[u][0], bound) if side else (bound, controls[u][1])
+        (u,) = acting
+        for side, bound in bounds.items():
+            if controls[u][side].is_finite is not False:
+                raise ValueError(
+                    f"path: {relation} is a second {('lower', 'upper')[side]} bound of {u}, beside "
+                    f"{controls[u][side]}; expected one (leave the other one out of controls)"
+                )
+            controls[u] = (controls[u][0], bound) if side else (bound, controls[u][1])
     return controls, tuple(remaining)
+
+
+def _bounds(g, u):
+    """Return {0: lower, 1: upper bound} of u where g <= 0 means these bounds, else None.
+
+    So it is where g grows or falls with u and g = 0 has one solution, and where g is quadratic in u
+    and convex. Signs are those for real symbols.
+    """
+    real = {s: sp.Dummy(s.name, real=True) for s in g.free_symbols if s.is_real is None}
+    back = {dummy: s for s, dummy in real.items()}
+    g, u = g.subs(real), real.get(u, u)
+    slope = sp.factor(g.diff(u))
+    if slope.is_positive or slope.is_negative:
+        solutions = sp.solve(g, u)
+        if len(solutions) != 1 or solutions[0].is_real is False:
+            return None
+        return {int(bool(slope.is_positive)): solutions[0].subs(back)}
+    if not g.is_polynomial(u) or sp.degree(g, u) != 2:
+        return None
+    a, b, c = sp.Poly(g, u).all_coeffs()
+    if not a.is_positive:
+        return None
+    middle = -b / (2 * a)
+    half = sp.sqrt(sp.expand(middle**2 - c / a))
+    return {side: (middle + sign * half).subs(back) for side, sign in ((0, -1), (1, 1))}
 
 
 def _without_modulus(g):

@@ -91,6 +91,16 @@ class NumericProblem:
         self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
         self.time_bounds_given = isinstance(problem.duration, tuple)
 
+    @cached_property
+    def assumed_start(self):
+        """Initial values with 0 for a free one; with 1 where the problem is not defined at 0."""
+        zero, one = (np.where(np.isnan(self.start), value, self.start) for value in (0.0, 1.0))
+        values = ca.Function("values", [self.x, self.u], [self.field, self.density, self.path])
+        defined = all(
+            np.isfinite(part).all() for part in map(np.array, values(zero, self.middle()))
+        )
+        return zero if defined else one
+
     def cached(self, name, compute):
         """Return the result of `compute()`, kept under a name: a CasADi function is built once."""
         results = self.__dict__.setdefault("_cached", {})
@@ -244,15 +254,33 @@ def runge_kutta(numeric):
 
 
 def _refuse_kinks(problem):
-    """Raise ValueError where H is not smooth in the controls (Abs, sign, Max, Min, Piecewise)."""
+    """Raise ValueError where H is not smooth in the controls, or has no derivative by a state."""
+    kinks = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside)
     for e in (*problem.field, problem.running):
-        for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
+        for kink in e.atoms(*kinks):
             if kink.free_symbols & set(problem.control):
                 raise ValueError(
                     f"solve: {kink} is not smooth in the control. Only Abs(u) of a single control "
                     "in the running cost is split here; otherwise split the control likewise: u = "
                     "p - q with the controls p, q >= 0, and p + q in place of Abs(u)."
                 )
+    for e in (*problem.field, problem.running, problem.final, *problem.terminal):
+        for part in e.atoms(*kinks, sp.floor, sp.ceiling):
+            for y in part.free_symbols & set(problem.state):
+                if _has_derivative(part, y):
+                    continue
+                real = sp.Symbol(y.name, real=True)
+                raise ValueError(
+                    f"solve: {part} has no derivative for complex {y}; declare it as "
+                    f'sp.Symbol("{y}", real=True)'
+                    if _has_derivative(part.subs(y, real), real)
+                    else f"solve: {part} jumps, and the conditions need its derivative; put a "
+                    f"smooth function in its place, such as tanh({y}/epsilon) with a small epsilon"
+                )
+
+
+def _has_derivative(e, y):
+    return not e.diff(y).has(sp.Derivative, sp.DiracDelta)
 
 
 def _number(value):

@@ -5,7 +5,7 @@
 and g_j(y) <= 0 along the path
 
 (equations (5.1) - (5.3) of the problem book, with the integral written out instead of an additional
-state). A problem whose right-hand side depends on time has time among its states, t' = 1.
+state). A symbol for the time, where the statement depends on it, becomes the last state, t' = 1.
 
 All functions of the package work on a `Statement`; the public class `optimal_control.Problem` adds
 the methods that call them.
@@ -48,8 +48,10 @@ class Statement:
     first_return: bool = False
     path: Sequence = ()
     terminal_inequalities: Sequence = ()
+    time: sp.Symbol = None
 
     def __post_init__(self):
+        self._add_time()
         # Neither part given: the time. One of them given: the other is zero.
         time_optimal = self.running is None and self.final is None
         values = {
@@ -219,6 +221,22 @@ class Statement:
             )
             if e is not None
         ]
+
+    def _add_time(self):
+        """Put the time among the states; it is then no separate part of the statement."""
+        if self.time is None:
+            return
+        if not isinstance(self.time, sp.Symbol):
+            raise TypeError(f"time: expected a symbol, got {self.time!r}")
+        tables = {"dynamics": self.dynamics, "controls": self.controls, "initial": self.initial}
+        for name, table in tables.items():
+            if isinstance(table, Mapping) and self.time in table:
+                raise ValueError(f"time: {self.time} is among {name} already; leave it out there")
+        for name, value in (("dynamics", 1), ("initial", 0), ("time", None)):
+            table = tables.get(name)
+            # what is no table is refused where it is read
+            changed = {**table, self.time: value} if isinstance(table, Mapping) else table
+            object.__setattr__(self, name, changed)
 
     def _check_symbols(self):
         states, controls = set(self.state), set(self.control)

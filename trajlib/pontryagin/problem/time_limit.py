@@ -11,11 +11,11 @@ import math
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from trajlib.pontryagin.problem.errors import PontryaginError
+from trajlib.pontryagin.problem.errors import NotConverged, PontryaginError
 
 # Seconds between attempts: an exception within a destructor is lost, and an import is not broken off.
 REPEATED, BUSY = 1.0, 0.05
@@ -86,6 +86,20 @@ def limited(seconds: float | None) -> Iterator[None]:
     finally:
         _stop(watcher, finished)
         _times.reset(token)
+
+
+def in_time(seconds: float | None, compute: Callable, *arguments):
+    """Return compute(*arguments); raise `NotConverged` when the time is over before."""
+    if seconds is not None and not float(seconds) > 0:
+        raise ValueError(f"time_limit: expected a positive number of seconds, got {seconds}")
+    try:
+        with limited(seconds):
+            return compute(*arguments)
+    except OutOfTime:
+        raise NotConverged(
+            "the time limit is over: it ended a step before or after the search for processes. "
+            "Nothing is proved by that: allow more time."
+        ) from None
 
 
 def _stop(watcher, finished):

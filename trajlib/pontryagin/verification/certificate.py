@@ -247,7 +247,7 @@ def certify(
         adjoint=adjoint,
         initial=values.initial(),
         terminal=max(values.terminal(), constraints.end_violation() if constraints else 0.0),
-        transversality=(constraints or values).transversality(),
+        transversality=float((constraints or values).transversality()),
         bounds=values.bound_violation(),
         maximum=float(np.max(excess, initial=0.0) / scale_H),
         drift=float(np.ptp(H) / scale_H),
