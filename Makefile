@@ -73,7 +73,7 @@ test: $(INSTALLED)  ## the style of the code, its types and arrows, and all test
 test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.30
 	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
 	@$(BIN)/workbook exercises $(N)
-	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
+	$(PYTEST) -n 0 tests/problems tests/authoring/test_rules.py -k "[$(N)] or test_rule"
 
 test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pages, in Chromium
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/page
