@@ -14,16 +14,28 @@ from workbook.checks.contract.shapes import COMMON, SHAPES
 from workbook.checks.contract.verdict import UnsuitableData
 
 
-def rows():
-    for name, table in TABLES.items():
-        marks = [pytest.mark.slow] if name.partition(".")[0] in LONG else []
-        yield from (
-            pytest.param(case, marks=marks, id=f"{case.check}: {case.note}") for case in table.CASES
-        )
+def rows(long):
+    """Return the rows of the tables of long themes, or of all others."""
+    return [
+        pytest.param(case, id=f"{case.check}: {case.note}")
+        for name, table in TABLES.items()
+        if (name.partition(".")[0] in LONG) == long
+        for case in table.CASES
+    ]
 
 
-@pytest.mark.parametrize("case", list(rows()))
+@pytest.mark.parametrize("case", rows(long=False))
 def test_case(case):
+    _judge(case)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", rows(long=True))
+def test_long_case(case):
+    _judge(case)
+
+
+def _judge(case):
     judge = functools.partial(
         check_named(case.check), case.answer, *case.data, **dict(case.options)
     )
