@@ -73,7 +73,7 @@ test: $(INSTALLED)  ## the style of the code, its types and arrows, and all test
 test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.30
 	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
 	@$(BIN)/workbook exercises $(N)
-	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
+	$(PYTEST) -n 0 tests/problems tests/authoring/test_rules.py -k "[$(N)] or test_rule"
 
 test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pages, in Chromium
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/page
@@ -81,8 +81,8 @@ test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pa
 test-pdf: $(INSTALLED)  ## print all chapters as PDF and look at every sheet
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/site/test_pdf.py
 
-test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
-	$(PYTEST) -n logical -m "not waits and not slow and not site"
+test-quick: $(INSTALLED)  ## a sample of each layer in two minutes: what tests/quick.txt lists
+	$(PYTEST) -n logical $$(sed 's/ *#.*//' tests/quick.txt)
 
 test-lectures: $(INSTALLED)  ## play every lecture to the end, as slides and in JupyterLab
 	WORKBOOK_EVERY_LECTURE=1 $(PYTEST) -n 0 tests/live/test_playing.py

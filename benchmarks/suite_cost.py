@@ -26,27 +26,24 @@ ROOT = Path(__file__).resolve().parents[1]
 NUMBER = re.compile(r"[\[-](\d+\.\d+)[]-]")
 #: A reference cost of a problem in core-seconds, and how many of the costliest are named.
 BAR, COSTLIEST = 6, 10
-#: Patterns of modules of tests, and the layer to which they belong; the first match counts.
+#: Patterns of modules of tests, and the layer to which they belong; the first match counts. Of other
+#: tests each folder is a layer.
 LAYERS = [
     (r"tests\.problems\.test_masters", "proofs"),
     (r"tests\.problems\.test_exercises", "exercises"),
     (r"tests\.problems", "exercises judged by others"),
     (r"tests\.checks\.test_cases", "cases of the checks"),
     (r"tests\.checks", "checks beside their cases"),
-    (r"tests\.(masters|mistakes)", "masters"),
-    (r"tests\.library", "library"),
-    (r"tests\.grading", "grader"),
     (r"tests\.site\.test_(pages|page_content|readability|library_pages)", "built files"),
     (r"tests\.site\.test_execution", "page execution, its own tests"),
     (r"tests\.site", "site in the browser"),
-    (r"tests\.(live|cli)", "live and command line"),
-    (r"tests", "others"),
-    (r"", "doctests"),
+    (r"(?!tests\.)", "doctests"),
 ]
 
 
 def layer(module):
-    return next(name for pattern, name in LAYERS if re.match(pattern, module))
+    layers = (name for pattern, name in LAYERS if re.match(pattern, module))
+    return next(layers, "/".join(module.split(".")[:2]))
 
 
 def tests(report):

@@ -22,11 +22,12 @@ import pytest  # noqa: E402
 
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
 
-#: Tests that share what costs much: the proof of a problem, what a check knows of its data, the
-#: parsed pages of an edition, syntheses, a cluster, an installed bundle, the Python of the pages. The
-#: tests of a group are those with the same parts in their ids.
+#: Tests that share what costs much: the proof of a problem, all masters as they are read, what a
+#: check knows of its data, the parsed pages of an edition, syntheses, a cluster, an installed
+#: bundle, the Python of the pages. The tests of a group are those with the same parts in their ids.
 TOGETHER = re.compile(
-    r"(problems/test_)(?:masters|exercises).*\[([\d.]+)\]|(checks/test_cases).*\[(\w+): "
+    r"(problems/test_)(?:masters|exercises).*\[([\d.]+)\]|(authoring)/test_(?:rules|sections|header_texts)"
+    r"|(checks/test_cases).*\[(\w+): "
     r"|(site/)\S*\[(full|student)\]"
     r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py"
     r"|(page)/test_"
@@ -47,6 +48,14 @@ def keep_what_was_freed():
 
 
 keep_what_was_freed()
+
+
+def pytest_ignore_collect(collection_path):
+    """Helpers hold no tests: to look for doctests in them would import each of them once more."""
+    if collection_path.suffix == ".py" and not collection_path.name.startswith(
+        ("test_", "conftest")
+    ):
+        return True
 
 
 def pytest_configure(config):

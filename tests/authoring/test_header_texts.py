@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from trajlib.typesetting import plain
-from workbook.authoring import master_paths, read
+from workbook.authoring import master_paths
 from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.mistakes import mistake_sentence
 
@@ -26,11 +26,6 @@ TYPED = re.compile(
 WRITTEN_IN = re.compile(
     r"(?<!\$ )\bin ((?>(?:(?:\$[^$]+\$|`\w+`)(?:, (?:and )?| and )?)+))(?! ?\(`)"
 )
-
-
-@pytest.fixture(scope="module")
-def masters():
-    return {path: read(path) for path in MASTERS}
 
 
 def texts(path):
@@ -52,10 +47,10 @@ def test_formulas_of_the_front_matter_are_typeset():
 
 def test_formulas_of_mistakes_are_typeset(masters):
     found = {}
-    for path, master in masters.items():
+    for master in masters:
         wrong = master.trials["wrong"]
         found |= {
-            (path.stem, text): typed
+            (master.path.stem, text): typed
             for text, typed in not_set(
                 trial.comment for trial in wrong if mistake_sentence(master, trial)
             ).items()
@@ -64,16 +59,17 @@ def test_formulas_of_mistakes_are_typeset(masters):
 
 
 def test_formulas_have_a_plain_form(masters):
-    for path in MASTERS:
-        wrong = masters[path].trials["wrong"]
-        for text in [*texts(path), *(trial.comment for trial in wrong)]:
+    for master in masters:
+        wrong = master.trials["wrong"]
+        for text in [*texts(master.path), *(trial.comment for trial in wrong)]:
             left = re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text))
-            assert not left, (path.stem, text)
+            assert not left, (master.path.stem, text)
 
 
 def test_variables_of_an_answer_have_their_names_in_code(masters):
     """A stub that asks for an answer in x0 has a symbol x0, and not x_0."""
-    for path, master in masters.items():
+    for master in masters:
+        path = master.path
         nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
         names = {node.id for node in nodes if isinstance(node, ast.Name)}
         front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))

@@ -17,6 +17,8 @@ CASES = [
         "test_fits[1.10-full]",
         {"": 30.0, " of a build": 20.0, " of a browser": 4.0, " in Chromium": 2.5},
     ),
+    ("tests.library.test_riccati", "test_c", {"": 1.5}),
+    ("tests.live.test_polls", "test_d", {"": 2.5}),
     ("trajlib.stability.hurwitz", "trajlib.stability.hurwitz.minors", {"": 0.25}),
 ]
 
@@ -50,6 +52,8 @@ def test_a_layer_has_its_tests_and_separately_noted_costs(printed):
         "exercises": 1,
         "cases of the checks": 0.5,
         "doctests": 0.2,
+        "tests/library": 1.5,
+        "tests/live": 2.5,
         "site in the browser": 10,
         "site builds": 17,
         "pages executed": 3,

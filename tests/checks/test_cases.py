@@ -1,45 +1,41 @@
 """The tables of cases: what each check accepts and rejects, row by row."""
 
 import functools
-import importlib.util
 import inspect
-from pathlib import Path
+from collections import Counter
 
 import pytest
 from case import CHECKS, REFUSED, check_named
+from case_tables import CASES, LONG, TABLES
 
 from workbook.checks.contract.data_kinds import RECORDS
 from workbook.checks.contract.few_numbers import MOST_NUMBERS, numbers_in
 from workbook.checks.contract.shapes import COMMON, LIST_OR_RANGES, SHAPES
 from workbook.checks.contract.verdict import UnsuitableData
 
-TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
+
+def rows(long):
+    """Return the rows of the tables of long themes, or of all others."""
+    return [
+        pytest.param(case, id=f"{case.check}: {case.note}")
+        for name, table in TABLES.items()
+        if (name.partition(".")[0] in LONG) == long
+        for case in table.CASES
+    ]
 
 
-def _load(path):
-    spec = importlib.util.spec_from_file_location(f"cases_{path.parent.name}_{path.stem}", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-MODULES = {f"{path.parent.name}.{path.stem}": _load(path) for path in TABLES}
-CASES = [case for module in MODULES.values() for case in module.CASES]
-#: Themes whose checks look for optima and follow motions: two thirds of the time of all cases.
-LONG = {"pontryagin"}
-
-
-def rows():
-    for name, module in MODULES.items():
-        marks = [pytest.mark.slow] if name.partition(".")[0] in LONG else []
-        yield from (
-            pytest.param(case, marks=marks, id=f"{case.check}: {case.note}")
-            for case in module.CASES
-        )
-
-
-@pytest.mark.parametrize("case", list(rows()))
+@pytest.mark.parametrize("case", rows(long=False))
 def test_case(case):
+    _judge(case)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", rows(long=True))
+def test_long_case(case):
+    _judge(case)
+
+
+def _judge(case):
     judge = functools.partial(
         check_named(case.check), case.answer, *case.data, **dict(case.options)
     )
@@ -57,13 +53,16 @@ def test_case(case):
     assert "is another one" not in verdict.message, "it names the property that fails"
 
 
-@pytest.mark.parametrize("name", CHECKS)
-def test_every_check_has_its_table(name):
-    verdicts = [case.verdict for case in CASES if case.check == name]
-    assert (
-        verdicts.count("right") >= 2 and verdicts.count("wrong") >= 2 and "invalid" in verdicts
-    ), verdicts
-    assert all(module.LIMITS is not None for module in MODULES.values())
+def test_every_check_has_its_table():
+    rows = Counter((case.check, case.verdict) for case in CASES)
+    least = {"right": 2, "wrong": 2, "invalid": 1}
+    assert [
+        f"{name}: {rows[name, verdict]} of {number} {verdict}"
+        for name in CHECKS
+        for verdict, number in least.items()
+        if rows[name, verdict] < number
+    ] == []
+    assert all(table.LIMITS is not None for table in TABLES.values())
 
 
 @pytest.mark.parametrize("theme", SHAPES)

@@ -9,7 +9,7 @@ import inspect
 import pytest
 import sympy as sp
 from case import CHECKS, check_named
-from test_cases import CASES
+from case_tables import CASES
 
 from trajlib.pontryagin import Problem
 from workbook import checks

@@ -5,7 +5,8 @@ import re
 from pathlib import Path
 
 import pytest
-from test_cases import CASES, check_named
+from case import check_named
+from case_tables import CASES
 
 import workbook.checks
 
@@ -21,8 +22,8 @@ MODULES = sorted(ROOT.rglob("*.py"))
 
 
 def texts(module):
-    """Return all strings of a module but its docstrings, with `#` for what f-strings insert."""
-    tree = ast.parse(module.read_text())
+    """Yield (line, string) of a module but for docstrings, with `#` for what f-strings insert."""
+    tree = ast.parse(module.read_text(encoding="utf-8"))
     pieces = {
         id(part)
         for node in ast.walk(tree)
@@ -38,18 +39,44 @@ def texts(module):
     }
     for node in ast.walk(tree):
         if isinstance(node, ast.JoinedStr):
-            yield "".join(p.value if isinstance(p, ast.Constant) else "#" for p in node.values)
+            parts = (p.value if isinstance(p, ast.Constant) else "#" for p in node.values)
+            yield node.lineno, "".join(parts)
         elif (
             isinstance(node, ast.Constant)
             and isinstance(node.value, str)
             and id(node) not in pieces | docstrings
         ):
-            yield node.value
+            yield node.lineno, node.value
 
 
-@pytest.mark.parametrize("module", MODULES, ids=lambda path: str(path.relative_to(ROOT)))
-def test_messages_name_the_property(module):
-    assert not [text for text in texts(module) if VAGUE.search(text)]
+def findings(pattern, modules):
+    """Return "file:line: text" of the texts outside backticks in which a pattern is found."""
+    return [
+        f"{module.relative_to(ROOT).as_posix()}:{line}: {text}"
+        for module in modules
+        for line, text in texts(module)
+        if pattern.search(re.sub(r"`[^`]*`", "", text))
+    ]
+
+
+def test_messages_name_the_property():
+    assert len(MODULES) > 150
+    assert findings(VAGUE, MODULES) == []
+
+
+def test_code_in_messages_stands_between_backticks():
+    """But hints on errors are printed outside of a report, and what typed code becomes is code."""
+    modules = [path for path in MODULES if path.stem not in ("error_hints", "typed_code")]
+    assert findings(re.compile(r"\b(sp|sympy|numpy)\.\w|[=!]= ?\w"), modules) == []
+
+
+def test_a_finding_has_its_line():
+    module = ROOT / "contract" / "error_hints.py"
+    (one, *_) = findings(re.compile("="), [module])
+    name, line, _ = one.split(":", maxsplit=2)
+    assert (
+        name == "contract/error_hints.py" and "=" in module.read_text().split("\n")[int(line) - 1]
+    )
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from case import check_named
-from test_cases import CASES
+from case_tables import CASES
 
 #: A count of what is asked for, as it could stand in a message.
 COUNT = re.compile(

@@ -1,6 +1,8 @@
 """Rewriting of typed text: what is changed, what never is, and the time that it takes."""
 
+import re
 import time
+import unicodedata
 
 import pytest
 
@@ -39,10 +41,37 @@ def test_python_and_what_cannot_be_read_stay_as_they_are(typed):
     assert read_typed(typed) == typed
 
 
-@pytest.mark.parametrize("sign", SIGNS)
-def test_no_sign_of_the_table_is_python(sign):
-    with pytest.raises(SyntaxError):
-        compile(f"a = [x, 1{sign}2]" if sign not in "\u200b" else f"a{sign}", "", "exec")
+#: What a sign is read as, by words of its name in Unicode; full-width forms are their ASCII forms.
+MEANINGS = {
+    r"LESS-THAN": "<=",
+    r"GREATER-THAN": ">=",
+    r"MINUS|DASH": "-",
+    r"DOT|BULLET|ASTERISK|MULTIPLICATION": "*",
+    r"DIVISION|SLASH": "/",
+    r"DOUBLE .*QUOTATION": '"',
+    r"SINGLE .*QUOTATION": "'",
+    r"^(NO-BREAK|EN|EM|THIN|NARROW NO-BREAK) SPACE": " ",
+    r"ZERO WIDTH|WORD JOINER": "",
+    r"INFINITY": "sp.oo",
+}
+
+
+def meaning(sign):
+    if "FULLWIDTH" in unicodedata.name(sign):
+        return unicodedata.normalize("NFKC", sign)
+    (code,) = {code for words, code in MEANINGS.items() if re.search(words, unicodedata.name(sign))}
+    return code
+
+
+def test_each_sign_has_the_meaning_of_its_name_in_unicode():
+    assert len(SIGNS) > 120
+    assert {sign: code for sign, code in SIGNS.items() if meaning(sign) != code} == {}
+
+
+def test_no_sign_is_python():
+    for sign in SIGNS:
+        with pytest.raises(SyntaxError):
+            compile(f"a = [x, 1{sign}2]" if sign not in "\u200b" else f"a{sign}", "", "exec")
 
 
 @pytest.mark.parametrize(

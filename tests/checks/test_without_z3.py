@@ -6,7 +6,7 @@ import sys
 import pytest
 import sympy as sp
 from case import check_named
-from test_cases import CASES, LONG
+from case_tables import CASES, LONG
 
 from trajlib.pontryagin import Problem
 from workbook import checks

@@ -13,15 +13,18 @@ from pathlib import Path
 import pytest
 from engine_page import ROOT, literal
 
-from workbook.authoring import master
+from workbook.authoring import read
+from workbook.authoring.contract import master_file
+from workbook.notebooks import exercises
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 HERE = Path(__file__).parent
 SAMPLE = ["1.15", "2.3", "3.5", "4.2", "5.9", "6.1"]
-PROBLEMS = {
-    problem.number: problem for problem in map(master.read, master.master_paths(ROOT / "solutions"))
-}
-NUMBERS = list(PROBLEMS) if os.environ.get("WORKBOOK_ALL_PROBLEMS") else SAMPLE
+NUMBERS = (
+    [exercise.number for exercise in exercises.read_all()]
+    if os.environ.get("WORKBOOK_ALL_PROBLEMS")
+    else SAMPLE
+)
 #: What the page's Python does not have.
 ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
 
@@ -29,7 +32,7 @@ ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
 @functools.cache
 def task(number):
     """Return the arguments of `judging.judged_problem`."""
-    problem = PROBLEMS[number]
+    problem = read(ROOT / "solutions" / master_file(number))
     roles = ("data", "answer", "check")
     cells = [(cell.role, cell.source) for cell in problem.cells if cell.role in roles]
     trials = [
@@ -87,7 +90,9 @@ def judged_in_firefox(addresses, firefox):
 @pytest.mark.parametrize("number", NUMBERS)
 def test_no_right_answer_is_refused_and_no_wrong_one_accepted(number, judged_in_page):
     rows = judged_in_page(number)
-    assert {what[5:] for what in rows if what.startswith("cell ")} == set(PROBLEMS[number].answers)
+    assert {what[5:] for what in rows if what.startswith("cell ")} == set(
+        exercises.find(number).about["answers"]
+    )
     expected = {what: "wrong" if what.startswith("wrong") else "right" for what in rows}
     bad = {
         what: (status, message)

@@ -6,6 +6,7 @@ Each command imports what it needs, so that the others start without SymPy.
 import json
 import shutil
 import sys
+from datetime import datetime
 from enum import StrEnum
 from importlib.util import find_spec
 from pathlib import Path
@@ -262,8 +263,6 @@ def _zone(name, assignment_file, worksheet):
 
 
 def _zone_here():
-    from datetime import datetime
-
     return datetime.now().astimezone().tzname()
 
 

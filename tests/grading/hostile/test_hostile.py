@@ -17,7 +17,6 @@ from hostile.attack import SECRET
 from hostile.course import a_course, seen_by_naive, seen_by_ours
 from hostile.table import ATTACKS
 
-from workbook.grading.pool.judging import END_REMARKS
 from workbook.grading.sandbox.isolation import PACKAGE
 
 HONEST = ("a-honest", "z-honest")
@@ -108,7 +107,11 @@ def _failures(attack, results, seen, wasm):
     if seen.points or SECRET in seen.text:
         failures.append(f"has points or secrets: {seen}")
     remarks = [remark for result in results for remark in result["remarks"]]
-    blamed = ("notebook: ", "limits: ", *([END_REMARKS["elsewhere"]] if wasm else []))
+    blamed = (
+        "notebook: ",
+        "limits: ",
+        *(["grader: this notebook waits for a machine with Linux"] if wasm else []),
+    )
     if not all(remark.startswith(blamed) for remark in remarks):
         failures.append(f"the grader is blamed, or nobody: {remarks}")
     if (

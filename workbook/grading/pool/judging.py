@@ -22,6 +22,7 @@ import time
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import NamedTuple
 
 from workbook.checks.contract import cell_watch
 from workbook.checks.contract.encoding import describe
@@ -356,36 +357,33 @@ def _after_data_cells(cells):
 
 def _judge(handed_over, cells, names, only):
     """Decode the bytes strictly, keep the answers asked for, and judge them."""
-    parsed = {}
+    read = texts = assigned = None
 
     def answers():
-        encoded, unreadable, parsed["remarks"], parsed["stopped"] = _parse(
-            handed_over, [name for name in names if only in (None, name)]
-        )
-        values = decoded(encoded, unreadable, names)
-        parsed["never assigned"] = set(names) - {
-            *(*encoded, *unreadable, *cell_watch.stopped, *cell_watch.meant)
-        }
-        parsed["texts"] = {name: _short_text(values[name]) for name in encoded}
-        parsed["hashes"] = {
-            name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
-            for name, text in encoded.items()
-        }
+        nonlocal read, texts, assigned
+        read = _parse(handed_over, [name for name in names if only in (None, name)])
+        values = decoded(read.encoded, read.unreadable, names)
+        texts = {name: _short_text(values[name]) for name in read.encoded}
+        assigned = {*read.encoded, *read.unreadable, *cell_watch.stopped, *cell_watch.meant}
         return values
 
     namespace, following = _after_data_cells(cells)
     verdicts = judge_answers(following, answers, names, namespace and dict(namespace))
+    hashes = {
+        name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+        for name, text in read.encoded.items()
+    }
     plain_verdicts = {
         name: [
             status,
             NEVER_ASSIGNED
-            if status == MISSING and name in parsed["never assigned"]
+            if status == MISSING and name not in assigned
             else sanitise(message[:2000], keep="\n"),
             mistake,
         ]
         for name, (status, message, mistake) in verdicts.items()
     }
-    return [plain_verdicts, *(parsed[key] for key in ("texts", "remarks", "stopped", "hashes"))]
+    return [plain_verdicts, texts, read.remarks, read.stopped, hashes]
 
 
 def _short_text(answer):
@@ -397,8 +395,17 @@ def _short_text(answer):
     return sanitise(re.sub(r"\s+", " ", describe(answer).replace("[\n", "[")))
 
 
+class _HandedOver(NamedTuple):
+    """What a notebook handed over: texts of answers, why others have none, and whether cells were stopped."""
+
+    encoded: dict
+    unreadable: dict
+    remarks: list
+    stopped: bool
+
+
 def _parse(handed_over, names):
-    """Return (encoded, unreadable, remarks, whether cells were stopped) for the answers `names`.
+    """Return what was handed over, for the answers `names`.
 
     Bytes not of the form of `run_cells` count as nothing. `report` gets the notes on cells.
     """
@@ -416,14 +423,14 @@ def _parse(handed_over, names):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         cell_watch.recall({}, {}, {})
-        return {}, {}, ["notebook: what it handed over cannot be read"], False
+        return _HandedOver({}, {}, ["notebook: what it handed over cannot be read"], False)
     # All texts of the notebook are marked as such, since they could pretend to be the grader's.
     remarks = [f"notebook: {sanitise(error[:400])}" for error in errors[:20]]
     remarks += [
         f"limits: code cell {k} was stopped: it took half of the time that was left"
         for k in stopped[:20]
     ]
-    return (
+    return _HandedOver(
         {name: encoded[name] for name in names if name in encoded},
         {
             name: f"notebook: {sanitise(unreadable[name][:400])}"
