@@ -7,7 +7,7 @@ import scipy.linalg
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments, segments
+from trajlib.estimation import KalmanFilter, Moments, segments, smoother
 
 
 def joint(Phis, Hs, Qs, Rs, start, z, missing, inputs):
@@ -108,6 +108,31 @@ def test_a_long_record_is_smoothed_as_by_single_steps(
     assert np.abs(errors).max() < 1e-9
     assert np.abs(changes / (deviations[..., None] * deviations[..., None, :])).max() < 1e-9
     assert (smoothed.estimates != stepped.estimates).any()  # by another recursion
+
+
+def test_steps_that_repeat_in_part_are_smoothed_as_by_single_steps(monkeypatch):
+    Phi, H, Q, R = random_model(3)
+    Phi, missing = Phi / np.abs(np.linalg.eigvals(Phi)).max() * 0.99, np.zeros(1250, dtype=bool)
+    missing[[250, 500, 750, 1000]] = True
+    z = np.random.default_rng(4).normal(size=(1250, 2))
+    run = KalmanFilter(Phi, H, Q, R).run(z, Moments(np.zeros(3), np.eye(3)), missing)
+    monkeypatch.setattr(smoother, "REPEATED", 0)
+    smoothed = run.smoothed()
+    assert len(np.unique(run.matrix_index)) < len(z)
+    monkeypatch.setattr(segments, "LEAST_STEPS", np.inf)
+    stepped = run.smoothed()
+    np.testing.assert_allclose(smoothed.estimates, stepped.estimates, atol=1e-10)
+    np.testing.assert_allclose(smoothed.covariances, stepped.covariances, atol=1e-10)
+
+
+def test_smoothed_covariances_have_the_scale_of_the_model():
+    """Whether they have converged is judged by their own size."""
+    Phi, (_, H, Q, R) = 0.9 * np.eye(3), random_model(3)
+    z, covariances = np.random.default_rng(4).normal(size=(300, 2)), []
+    for c in (1, 1e-12):
+        run = KalmanFilter(Phi, H, c * Q, c * R).run(z, Moments(np.zeros(3), c * np.eye(3)))
+        covariances.append(run.smoothed().covariances / c)
+    np.testing.assert_allclose(covariances[1], covariances[0], atol=1e-10)
 
 
 def test_many_series_are_smoothed_like_single_ones():
