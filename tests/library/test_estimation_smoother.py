@@ -286,3 +286,11 @@ def test_pictures_show_states_bands_and_innovations():
     np.testing.assert_allclose(axes[-1].lines[0].get_ydata(), scaled)
     assert len(run.smoothed().plot(series=1)) == 2
     plt.close("all")
+
+
+def test_segments_start_from_the_right_covariances_without_process_noise():
+    """No step is forgotten then; wrong starts would only be slow, as all steps are taken again."""
+    Phi, H, Q, R = random_model(21, 4)
+    matrices, missing = (np.linalg.qr(Phi)[0], H, 0 * Q, R), np.zeros((1200, 2), dtype=bool)
+    results = [np.empty((1200, 4, columns)) for columns in (4, 4, 2)]
+    assert segments.covariance_segments(matrices, np.eye(4), missing, 30, results)
