@@ -12,13 +12,13 @@ from dataclasses import dataclass
 PR_SET_CHILD_SUBREAPER = 36
 
 
-def seconds(function, runs):
-    """The median of several runs of `function()`, in seconds on the wall."""
+def seconds(function, runs, clock=time.perf_counter):
+    """The median of several runs of `function()`, in seconds of the clock, on the wall unless given."""
     taken = []
     for _ in range(runs):
-        start = time.perf_counter()
+        start = clock()
         function()
-        taken.append(time.perf_counter() - start)
+        taken.append(clock() - start)
     return statistics.median(taken)
 
 

@@ -7,7 +7,7 @@ import scipy.linalg
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments, segments
+from trajlib.estimation import KalmanFilter, Moments, segments, smoother
 
 
 def joint(Phis, Hs, Qs, Rs, start, z, missing, inputs):
@@ -64,11 +64,13 @@ def test_smoother_gives_the_conditional_distribution(varying, gaps, singular):
     assert np.linalg.eigvalsh(smoothed.covariances).min() > -1e-12
 
 
-def test_smoother_of_a_long_run_agrees_with_a_plain_loop():
+@pytest.mark.parametrize("gaps", [False, True])
+def test_smoother_of_a_long_run_agrees_with_a_plain_loop(gaps):
     Phi, H, Q, R = random_model(3)
     Phi = Phi / np.abs(np.linalg.eigvals(Phi)).max() * 0.99
-    z = np.random.default_rng(4).normal(size=(500, 2))
-    run = KalmanFilter(Phi, H, Q, R).run(z, Moments(np.zeros(3), np.eye(3)))
+    z, missing = np.random.default_rng(4).normal(size=(500, 2)), np.zeros(500, dtype=bool)
+    missing[[250, 251, 400]] = gaps  # the gain settles before each and after each
+    run = KalmanFilter(Phi, H, Q, R).run(z, Moments(np.zeros(3), np.eye(3)), missing)
     x, P = run.estimates[-1], run.covariances[-1]
     smoothed = run.smoothed()
     for k in range(len(z) - 2, -1, -1):
@@ -86,7 +88,8 @@ def test_a_long_record_is_smoothed_as_by_single_steps(
     varying, series, variance, noise, monkeypatch
 ):
     """The variance of a state not yet observed falls by many powers of ten."""
-    count, rng = 1250, np.random.default_rng(20)
+    # 35 segments; steps that lose digits are among them, not among the 25 steps before.
+    count, rng = 1250 if variance == 1 else 1225, np.random.default_rng(20)
     Phi, H, Q, R = random_model(21, 4)
     Phi = np.linalg.qr(Phi)[0]
     if varying:
@@ -105,6 +108,31 @@ def test_a_long_record_is_smoothed_as_by_single_steps(
     assert np.abs(errors).max() < 1e-9
     assert np.abs(changes / (deviations[..., None] * deviations[..., None, :])).max() < 1e-9
     assert (smoothed.estimates != stepped.estimates).any()  # by another recursion
+
+
+def test_steps_that_repeat_in_part_are_smoothed_as_by_single_steps(monkeypatch):
+    Phi, H, Q, R = random_model(3)
+    Phi, missing = Phi / np.abs(np.linalg.eigvals(Phi)).max() * 0.99, np.zeros(1250, dtype=bool)
+    missing[[250, 500, 750, 1000]] = True
+    z = np.random.default_rng(4).normal(size=(1250, 2))
+    run = KalmanFilter(Phi, H, Q, R).run(z, Moments(np.zeros(3), np.eye(3)), missing)
+    monkeypatch.setattr(smoother, "REPEATED", 0)
+    smoothed = run.smoothed()
+    assert len(np.unique(run.matrix_index)) < len(z)
+    monkeypatch.setattr(segments, "LEAST_STEPS", np.inf)
+    stepped = run.smoothed()
+    np.testing.assert_allclose(smoothed.estimates, stepped.estimates, atol=1e-10)
+    np.testing.assert_allclose(smoothed.covariances, stepped.covariances, atol=1e-10)
+
+
+def test_smoothed_covariances_have_the_scale_of_the_model():
+    """Whether they have converged is judged by their own size."""
+    Phi, (_, H, Q, R) = 0.9 * np.eye(3), random_model(3)
+    z, covariances = np.random.default_rng(4).normal(size=(300, 2)), []
+    for c in (1, 1e-12):
+        run = KalmanFilter(Phi, H, c * Q, c * R).run(z, Moments(np.zeros(3), c * np.eye(3)))
+        covariances.append(run.smoothed().covariances / c)
+    np.testing.assert_allclose(covariances[1], covariances[0], atol=1e-10)
 
 
 def test_many_series_are_smoothed_like_single_ones():
@@ -258,3 +286,11 @@ def test_pictures_show_states_bands_and_innovations():
     np.testing.assert_allclose(axes[-1].lines[0].get_ydata(), scaled)
     assert len(run.smoothed().plot(series=1)) == 2
     plt.close("all")
+
+
+def test_segments_start_from_the_right_covariances_without_process_noise():
+    """No step is forgotten then; wrong starts would only be slow, as all steps are taken again."""
+    Phi, H, Q, R = random_model(21, 4)
+    matrices, missing = (np.linalg.qr(Phi)[0], H, 0 * Q, R), np.zeros((1200, 2), dtype=bool)
+    results = [np.empty((1200, 4, columns)) for columns in (4, 4, 2)]
+    assert segments.covariance_segments(matrices, np.eye(4), missing, 30, results)

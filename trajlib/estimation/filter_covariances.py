@@ -124,7 +124,8 @@ def _stepped(matrices, P, missing, results, index, first, k, segments=1, patienc
         first.append(k)
         predicted = Phi @ after @ Phi.T + Qs[k]
         predicted = (predicted + predicted.T) / 2
-        if constant and following[k] > k + 1 and _settled(Phi, Hs[k], P, K, predicted - P):
+        loop = Phi - Phi @ K @ Hs[k]
+        if constant and following[k] > k + 1 and settled(loop, P, predicted - P):
             index[k : following[k]] = step
             k = following[k]
         else:
@@ -189,8 +190,11 @@ def _both_measured(missing):
     return ~missing[:, :, None] & ~missing[:, None, :]
 
 
-def _settled(Phi, H, P, K, change):
-    """Return whether the rest of the convergence, after a step of size `change`, is negligible."""
+def settled(F, P, change):
+    """Return whether the rest of the convergence, after a step of size `change`, is negligible.
+
+    A step takes a difference D of covariances to F D F^T.
+    """
     # One entry decides most steps at almost no cost.
     if not abs(change[0, 0]) <= SETTLED * P[0, 0]:
         return False
@@ -199,7 +203,6 @@ def _settled(Phi, H, P, K, change):
         return False
     from scipy.linalg import solve_discrete_lyapunov
 
-    F = Phi @ (np.eye(len(P)) - K @ H)
     if np.abs(np.linalg.eigvals(F)).max() >= 1 - 1e-10:
         return False
     remaining = solve_discrete_lyapunov(F, change)

@@ -10,8 +10,9 @@ the last equal to P_k^+ + C_k (P_{k+1} - P_{k+1}^-) C_k^T, but a sum of covarian
 of C_k. Missing measurements and steps of different lengths need nothing of their own. Where P^- is
 singular, a state being known exactly, its pseudo-inverse stands for the inverse.
 
-Long records of linear models are smoothed in `segments` by the recursion of Bryson and Frazier, which needs
-no inverse of P^-. It ends in a difference of covariances; where most digits cancel, the step above is taken.
+While C_k is constant, the estimates are a linear recursion and the covariances converge. Other long
+records of linear models are smoothed in `segments` by the recursion of Bryson and Frazier, which needs no
+inverse of P^-. It ends in a difference of covariances; where most digits cancel, the step above is taken.
 """
 
 from __future__ import annotations
@@ -21,14 +22,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._typing import ArrayLike
-from trajlib.estimation.filter_covariances import BLOCK
+from trajlib.estimation.filter_covariances import BLOCK, settled
 from trajlib.estimation.filter_plots import plot_states
+from trajlib.estimation.recursion import recursion
 from trajlib.estimation.segments import number_of_segments, smoothed_segments
 
 #: A scaled covariance whose inverse is greater than this is singular within rounding.
 SINGULAR = 1e13
 #: Variances that become smaller than this share lose digits in the difference of Bryson and Frazier.
 CANCELLED = 1e-4
+#: With fewer different matrices than this share of the steps, those that repeat are taken together.
+REPEATED = 1 / 8
 
 
 @dataclass(frozen=True, repr=False)
@@ -107,32 +111,44 @@ def smooth(run, times, transitions, steps):
 def _smoothed(predicted, estimates, innovations, transitions, steps, index):
     Phi, Q, H = transitions
     (count, n), states = estimates.shape[1:], estimates.copy()
-    distinct = len(np.unique(index)) == count
-    rows = slice(index[0], index[-1] + 1) if distinct else index
+    rows = slice(index[0], index[-1] + 1)
     after, gains, inverses = (steps[i][rows] for i in (1, 2, 4))
-    segments = 1 if H is None else number_of_segments(count, n)
-    if segments == 1:
-        covariances, left = after.copy(), np.arange(count - 1)
-    else:
-        head, covariances = count % segments, np.empty_like(after)
+    index, distinct, covariances = index - index[0], len(after), np.empty((count, n, n))
+    covariances[-1], left = after[-1], np.arange(count - 1)
+    segments = 1 if H is None or distinct < REPEATED * count else number_of_segments(count, n)
+    if segments > 1:
+        head, filtered = count % segments, after
+        if distinct < count:
+            filtered, gains, inverses = after[index], gains[index], inverses[index]
         matrices = [M if M.ndim == 2 else M[head:] for M in (Phi, H)]
         states[:, head:], covariances[head:] = smoothed_segments(
             *matrices,
             gains[head:],
             inverses[head:],
             np.nan_to_num(innovations[:, head:]),
-            after[head:],
+            filtered[head:],
             estimates[:, head:],
             segments,
         )
-        variances, filtered = (np.einsum("kii->ki", P) for P in (covariances, after))
-        lost = ~(variances[:-1] >= CANCELLED * filtered[:-1]).all(axis=1)
-        left = np.flatnonzero(lost | (np.arange(count - 1) < head))
-    matrices = [M if M.ndim == 2 else M[left] for M in (Phi, Q)]
-    for k, C, noise in zip(left[::-1], *(M[::-1] for M in _gains(after[left], *matrices))):
-        P = C @ covariances[k + 1] @ C.T + noise
-        covariances[k] = (P + P.T) / 2
-        states[:, k] = estimates[:, k] + (states[:, k + 1] - predicted[:, k + 1]) @ C.T
+        variances = [np.einsum("kii->ki", P)[:-1] for P in (covariances, filtered)]
+        lost = ~(variances[0] >= CANCELLED * variances[1]).all(axis=1)
+        left = np.flatnonzero(lost | (left < head))
+    # Steps beside each other with the same matrices are taken together.
+    new = (np.diff(left, prepend=-2) != 1) | (np.diff(index[left], prepend=-1) != 0)
+    firsts, ends = left[new], left[np.roll(new, -1)] + 1
+    matrices = [M if M.ndim == 2 else M[firsts] for M in (Phi, Q)]
+    gains, noises = _gains(after[index[firsts]], *matrices)
+    corrections = estimates - predicted
+    for first, end, C, noise in zip(*(part[::-1] for part in (firsts, ends, gains, noises))):
+        forcing = corrections[:, first + 1 : end + 1][:, ::-1] @ C.T
+        changes = recursion(C, forcing, states[:, end] - estimates[:, end])
+        states[:, first:end] = estimates[:, first:end] + changes[:, :0:-1]
+        for k in range(end - 1, first - 1, -1):
+            P = C @ covariances[k + 1] @ C.T + noise
+            covariances[k] = P = (P + P.T) / 2
+            if k > first and settled(C, P, P - covariances[k + 1]):
+                covariances[first:k] = P
+                break
     return states, covariances
 
 
