@@ -47,10 +47,8 @@ class Tiles(SphinxDirective):
 
     def _tile(self, page, source):
         tile = nodes.container(classes=["tile"])
-        if picture := self._picture(source):
-            classes = (
-                ["wide"] if _is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
-            )
+        if picture := picture_of(self.env, source):
+            classes = ["wide"] if is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
             tile += nodes.image(uri=f"/{picture}", alt="", classes=classes)
         title = addnodes.pending_xref(
             "",
@@ -65,20 +63,21 @@ class Tiles(SphinxDirective):
         tile += nodes.paragraph("", "", title)
         return tile
 
-    def _picture(self, page):
-        """Write the first picture of a page that was executed; return its path from the root."""
-        source = Path(self.env.doc2path(page))
-        self.env.note_dependency(str(source))
-        cache = get_cache(self.config.nb_execution_cache_path)
-        for record in cache.list_cache_records():
-            if record.uri == str(source):
-                pictures = _pictures(cache.get_cache_bundle(record.pk).nb)
-                for picture in sorted(pictures, key=_is_wide):
-                    file = Path(self.env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
-                    file.parent.mkdir(parents=True, exist_ok=True)
-                    file.write_text(picture, encoding="utf-8")
-                    return file.relative_to(self.env.srcdir).as_posix()
-        return None
+
+def picture_of(env, page):
+    """Write the first picture of a page that was executed; return its path from the root, or None."""
+    source = Path(env.doc2path(page))
+    env.note_dependency(str(source))
+    cache = get_cache(env.config.nb_execution_cache_path)
+    for record in cache.list_cache_records():
+        if record.uri == str(source):
+            pictures = _pictures(cache.get_cache_bundle(record.pk).nb)
+            for picture in sorted(pictures, key=is_wide):
+                file = Path(env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(picture, encoding="utf-8")
+                return file.relative_to(env.srcdir).as_posix()
+    return None
 
 
 def _pictures(notebook):
@@ -90,7 +89,7 @@ def _pictures(notebook):
                 yield picture
 
 
-def _is_wide(picture):
+def is_wide(picture):
     width, height = map(float, SIZE.search(picture).groups())
     return width > 1.7 * height
 
