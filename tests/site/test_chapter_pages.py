@@ -82,7 +82,7 @@ def test_a_chapter_shows_what_was_verified_here(browser, addresses, width, phone
     )
     browser.open(f"{addresses['http']}/book/ch1.html")
     mark = browser.find(".section-problems .problem-verified")
-    assert mark.text == "1/5" and mark.is_displayed()
+    assert mark.text == "1/5" and mark.is_displayed() and mark.rect["x"] >= 0
     browser.open(f"{addresses['http']}/book/progress.html")
     assert "Hurwitz criterion" in browser.find("#progress-page").text
     browser.driver.execute_script("localStorage.clear()")

@@ -1,9 +1,10 @@
 """A chapter's page as a map: `{chapter-map}` around its list of sections.
 
-Each line of the list, "[Hurwitz criterion](ch1/hurwitz.md): §1.2, signs of the real parts", becomes a section with
-a picture from its page and with its problems. A problem belongs to the first section that names it under "Next";
-one that no section names follows the problem before it of the same § of the problem book, or belongs to the first
-section of that §. The sidebar has the problems below their sections as well.
+Each line of the list, "[Hurwitz criterion](ch1/hurwitz.md): §1.2, signs of the real parts", becomes a section
+with a picture and with its problems. The picture is from its page, or from the one that `:pictures:` names after
+it. A problem belongs to the first section that names it under "Next"; one that no section names follows the problem
+before it of the same § of the problem book, or belongs to the first section of that §. The sidebar has the problems
+below their sections as well.
 """
 
 import posixpath
@@ -28,6 +29,7 @@ class ChapterMap(Listing):
     """Shows each section of a list with its picture and its problems."""
 
     has_content = True
+    option_spec = {"pictures": str}
 
     def content_of(self, problems):
         chapter = Path(self.env.docname).name.removeprefix("ch")
@@ -37,15 +39,19 @@ class ChapterMap(Listing):
         for page in members:
             self.env.note_dependency(self.env.doc2path(page))
         sections = nodes.container(classes=["chapter-map"])
+        pictures = dict(
+            pair.split() for pair in self.options.get("pictures", "").split(",") if pair
+        )
         for item, (page, found) in zip(
             parsed.findall(nodes.list_item), members.items(), strict=True
         ):
-            sections += self._section(item, page, found)
+            source = pictures.get(page.removeprefix("book/"), page)
+            sections += self._section(item, source, found)
         return [sections]
 
-    def _section(self, item, page, problems):
+    def _section(self, item, source, problems):
         section = nodes.container(classes=["chapter-section"])
-        if picture := picture_of(self.env, page):
+        if picture := picture_of(self.env, source):
             wide = ["wide"] if is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
             section += nodes.image(uri=f"/{picture}", alt="", classes=wide)
         about = nodes.container("", *item.children, classes=["about"])

@@ -37,6 +37,7 @@ def _open(self, node):
             "title": problem.title,
             "url": url(problem.page),
             "topics": problem.topics,
+            "answers": len(problem.answers),
             "varies": problem.varies,
         }
         for problem in catalogue.of(env).values()

@@ -192,7 +192,9 @@ def _target(reference):
 def _descriptions(page, document):
     """Return what a chapter says of its sections: "[State feedback](ch3/state_feedback.md): §3.2, ..."."""
     described = {}
-    for line in document.findall(lambda node: "about" in node.get("classes", ())):
+    for line in document.findall(nodes.container):
+        if "about" not in line["classes"]:
+            continue
         reference = next(line.findall(addnodes.pending_xref), None)
         _, colon, description = words(line[0]).partition(": ")
         if reference is not None and colon:

@@ -10,6 +10,7 @@ not in the edition are left out, and with all of them the section.
 """
 
 import re
+from base64 import b64decode
 from pathlib import Path
 
 from docutils import nodes
@@ -18,6 +19,7 @@ from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
 
 FOLDER = "_build/tiles"
+STILL = re.compile(r'<img class="explorer-still"[^>]* src="data:image/svg\+xml;base64,([^"]+)"')
 #: Width and height of a picture.
 SIZE = re.compile(r"""viewBox=["']\S+ \S+ ([\d.]+) ([\d.]+)""")
 
@@ -65,14 +67,19 @@ class Tiles(SphinxDirective):
 
 
 def picture_of(env, page):
-    """Write the first picture of a page that was executed; return its path from the root, or None."""
-    source = Path(env.doc2path(page))
+    """Write the first picture of a page that was executed; return its path from the root, or None.
+
+    Rather one that is not wide; of a problem the first, the drawing of its statement.
+    """
+    source = Path(env.srcdir, f"{page}.md")
     env.note_dependency(str(source))
     cache = get_cache(env.config.nb_execution_cache_path)
     for record in cache.list_cache_records():
         if record.uri == str(source):
-            pictures = _pictures(cache.get_cache_bundle(record.pk).nb)
-            for picture in sorted(pictures, key=is_wide):
+            pictures = list(_pictures(cache.get_cache_bundle(record.pk).nb))
+            if page.startswith("book/"):
+                pictures.sort(key=is_wide)
+            for picture in pictures:
                 file = Path(env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
                 file.parent.mkdir(parents=True, exist_ok=True)
                 file.write_text(picture, encoding="utf-8")
@@ -81,12 +88,15 @@ def picture_of(env, page):
 
 
 def _pictures(notebook):
-    """Yield the drawn pictures; the stills of interactive figures have no viewBox."""
-    for cell in notebook.cells:
-        for output in cell.get("outputs", ()):
-            picture = output.get("data", {}).get("image/svg+xml", "")
-            if SIZE.search(picture):
-                yield picture
+    """Return the drawn pictures, or where there are none those of interactive figures."""
+    outputs = [
+        output.get("data", {}) for cell in notebook.cells for output in cell.get("outputs", ())
+    ]
+    drawn = [output["image/svg+xml"] for output in outputs if "image/svg+xml" in output]
+    stills = [STILL.search(output.get("text/html", "")) for output in outputs]
+    return list(filter(SIZE.search, drawn)) or [
+        b64decode(still[1]).decode("utf-8") for still in stills if still
+    ]
 
 
 def is_wide(picture):

@@ -40,6 +40,9 @@ function show() {
   ]);
 
   const whole = new Set(begun.filter(([, record]) => isRight(record)).map(([number]) => number));
+  /** Of some problems how many answers there are, and how many are right. */
+  const answersOf = (numbers) => numbers.reduce((sum, number) => sum + problems[number].answers, 0);
+  const rightOf = (numbers) => numbers.reduce((sum, number) => sum + (verified[number]?.right.length ?? 0), 0);
   const bySection = sections.flatMap(({ title, url, numbers, test }) => {
     const done = numbers.filter((number) => whole.has(number)).length;
     const answered = verified[test];
@@ -48,7 +51,8 @@ function show() {
       ...(numbers.length ? [`${done} of ${plural(numbers.length, "problem")}`] : []),
       ...(answered ? [`self-test ${answered.right.length} of ${answered.answers}`] : []),
     ].join(", ");
-    return [row(link(url, title), done + (answered?.right.length ?? 0), numbers.length + (answered?.answers ?? 0), words)];
+    const tested = [answered?.right.length ?? 0, answered?.answers ?? 0];
+    return [row(link(url, title), rightOf(numbers) + tested[0], answersOf(numbers) + tested[1], words)];
   });
   const topics = {};
   for (const [number, problem] of Object.entries(problems)) for (const topic of problem.topics) (topics[topic] ??= []).push(number);
@@ -56,7 +60,7 @@ function show() {
     .sort(([a], [b]) => a.localeCompare(b))
     .map(([topic, numbers]) => {
       const done = numbers.filter((number) => whole.has(number)).length;
-      return row(topic, done, numbers.length, `${done} of ${plural(numbers.length, "problem")}`);
+      return row(topic, rightOf(numbers), answersOf(numbers), `${done} of ${plural(numbers.length, "problem")}`);
     });
   page.replaceChildren(
     list("To repeat today", due, "Nothing. A right answer comes back after 1, 7 and 30 days."),
