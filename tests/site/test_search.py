@@ -161,7 +161,7 @@ NAMED = {
     "kalman decomposition": "book/ch2/decomposition.html",
     "INS": "book/ch4/inertial_navigation.html",
     "gyro drift": "book/ch4/inertial_navigation.html",
-    "reachable set": "book/ch5/least_time.html",
+    "reachable set": "book/ch5/least_time.html|book/ch9/enclosing_step.html#sec-9-dubins",
     "steady state kalman": "book/ch4/continuous_filter.html",
     "transfer function": "book/ch2/decomposition.html",
     "psi": "book/ch5/maximum_principle.html",

@@ -76,13 +76,14 @@ def sections_of(env, chapter):
     """Return page -> problems for the sections of a chapter, in the order in which its page lists them."""
     source = Path(env.doc2path(f"book/ch{chapter}"))
     lines = LINE.findall(source.read_text(encoding="utf-8"))
-    named, of_number = {}, {}
+    named, of_number, numbers_of = {}, {}, {}
     for page, about in lines:
         path = source.parent / f"{page}.md"
         if end := NEXT.search(path.read_text(encoding="utf-8")):
             for number in NAMED.findall(end[1]):
                 named.setdefault(number, page)
-        for number in NUMBERS.findall(about.partition(":")[2]):
+        numbers_of[page] = NUMBERS.findall(about)
+        for number in numbers_of[page]:
             of_number.setdefault(number, page)
     if not of_number:  # sections that are our own
         of_number = {f"§{chapter}.{k}": page for k, (page, _) in enumerate(lines, start=1)}
@@ -90,7 +91,8 @@ def sections_of(env, chapter):
     for problem in catalogue.of(env).values():
         if problem.chapter == chapter:
             page = named.get(problem.number) or of_number[problem.section]
-            of_number[problem.section] = page
+            if problem.section in numbers_of[page]:
+                of_number[problem.section] = page
             members[f"book/{page}"].append(problem)
     return members
 
