@@ -41,15 +41,15 @@
   /* Return the index of the entries as a function: query -> entries, best first; `isComplete` says whether they have all words. */
   const indexOf = async (entries) => {
     const index = new MiniSearch({
-      fields: ["number", "title", "terms", "anchor", "text"],
+      fields: ["number", "title", "terms", "names", "anchor", "text"],
       extractField: (entry, field) => field === "id" ? entry.id
-        : field === "terms" ? (entry.terms || []).join(" ")
+        : field === "terms" || field === "names" ? (entry[field] || []).join(" ")
         : field === "anchor" ? anchorOf(entry)
         : (entry[field] || "").replace(FORMULA, " "),
       tokenize,
       processTerm: stem,
       searchOptions: {
-        boost: { number: 8, title: 5, terms: 4, anchor: 3 },
+        boost: { number: 8, title: 5, terms: 4, names: 4, anchor: 3 },
         bm25: { k: 1.2, b: .3, d: .5 },
         prefix: (term, k, terms) => k === terms.length - 1 && /^\p{L}{2}/u.test(term),
         fuzzy: (term) => /^\p{L}{6}/u.test(term) ? .2 : false,
@@ -62,7 +62,7 @@
     /* An entry whose title or one of whose terms is the query, or contains it as a phrase, comes before one that has its
        words here and there. */
     const closeness = (entry, phrase) => {
-      const names = [entry.title, `${entry.kind} ${entry.number || ""}`, anchorOf(entry), ...(entry.terms || [])].map(stems);
+      const names = [entry.title, `${entry.kind} ${entry.number || ""}`, anchorOf(entry), ...(entry.terms || []), ...(entry.names || [])].map(stems);
       return names.includes(phrase) ? 4 : names.some((name) => has(name, phrase)) ? 3 : 1;
     };
     /* Return the entries with all words of the query; else with words one or two letters away. */

@@ -236,10 +236,10 @@ def entries(env):
     for label, further in names["places"].items():
         if label in holders:
             page, k = holders[label]
-            collected[page][k]["terms"] += further
+            collected[page][k]["names"] = further
     for page, problem in catalogue.of(env).items():
         if page in pages and problem.number in names["problems"]:
-            collected[page][0]["terms"].append(names["problems"][problem.number])
+            collected[page][0]["names"] = [names["problems"][problem.number]]
     listed = [_written(env, page, entry) for page in pages for entry in collected[page]]
     listed += _topics(env)
     for topic in names["absent"]:
@@ -297,6 +297,7 @@ def _written(env, page, entry):
         "number": entry["number"],
         "title": entry["title"],
         "terms": list(dict.fromkeys(entry["terms"])),
+        "names": entry.get("names"),
         "text": entry["text"],
         "url": f"{page}.html#{entry['anchor']}",
         "place": _place(env, page, entry),
