@@ -14,17 +14,17 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs mistakes page wheels serve pdf bundle release test test-quick test-page test-pdf test-problem \
+.PHONY: help book book-student outputs mistakes again page wheels serve pdf bundle release test test-quick test-page test-pdf test-problem \
   test-units test-sandboxes clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-15s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # On Windows `py book\build.py` takes these steps.
-book: outputs mistakes page wheels  ## execute what is stale and build the site in _build/html
+book: outputs mistakes again page wheels  ## execute what is stale and build the site in _build/html
 	$(BIN)/python book/build.py site
 
-book-student: outputs page wheels  ## build the edition without solutions in _build/student/html
+book-student: outputs again page wheels  ## build the edition without solutions in _build/student/html
 	$(BIN)/python book/build.py student
 
 outputs: $(INSTALLED)
@@ -33,6 +33,9 @@ outputs: $(INSTALLED)
 # Each uses all cores: one after the other.
 mistakes: outputs
 	$(BIN)/python book/build.py mistakes
+
+again: $(INSTALLED)
+	$(BIN)/python book/build.py again
 
 # Python for the answer boxes of the pages, in _build/run.
 page: $(INSTALLED)

@@ -2,6 +2,7 @@
 
     python book/build.py outputs    execute the pages that are stale (book/execute.py)
     python book/build.py mistakes   judge the trials that are stale (book/judge_trials.py)
+    python book/build.py again      make the other numbers with which pages ask problems again (book/asked_again.py)
     python book/build.py page       pack Python for the answer boxes of the pages (book/engine/pack.py)
     python book/build.py wheels     build the wheel that the site offers, if it is stale
     python book/build.py site       read and write the pages that changed, as `jupyter-book build` does
@@ -58,6 +59,14 @@ def _set_environment():
     if not SETTINGS.items() <= os.environ.items():
         command = [sys.executable, *sys.argv]
         sys.exit(subprocess.run(command, env=os.environ | SETTINGS, check=False).returncode)
+
+
+def again():
+    """Make what is stale of the numbers with which pages ask problems again; return the exit code."""
+    sys.path.insert(0, str(ROOT))
+    from asked_again import main
+
+    return main(ROOT)
 
 
 def page():
@@ -150,7 +159,7 @@ def wheels():
 
 def book():
     """Take all steps of the edition with solutions, each in a process of its own."""
-    steps = ["outputs", "mistakes", "page", "wheels", "site"]
+    steps = ["outputs", "mistakes", "again", "page", "wheels", "site"]
     if "--no-page" in sys.argv:  # without answer boxes, which need 80 MB
         steps.remove("page")
         shutil.rmtree(BUILT / "run", ignore_errors=True)
@@ -177,5 +186,7 @@ def _offer(site, names):
 
 
 if __name__ == "__main__":
-    STEPS = {step.__name__: step for step in (outputs, mistakes, page, wheels, site, student)}
+    STEPS = {
+        step.__name__: step for step in (outputs, mistakes, again, page, wheels, site, student)
+    }
     sys.exit(STEPS.get(sys.argv[1] if len(sys.argv) > 1 else "", book)())

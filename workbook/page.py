@@ -50,7 +50,8 @@ def run_cell(cells, check, problem="", names=()):
         each of the cells was taken for, "" where it is what was typed; "errors": for each
         cell that failed "cell", its position in `cells` (`len(cells)` for the check cell), "line"
         (from 1, or None), "text" and "hint" ("" without one); "verdicts": status by answer; "html"
-        and "text": the verdicts as a notebook shows them, "" if the check cell failed. It can be
+        and "text": the verdicts as a notebook shows them, "" if the check cell failed; "patches":
+        whether a cell may have changed a module, so that the next run is to start anew. It can be
         written as JSON.
 
     Examples
@@ -60,6 +61,8 @@ def run_cell(cells, check, problem="", names=()):
     >>> result = run_cell([data, "a = k > 0"], check)
     >>> result["verdicts"], result["errors"]
     ({'a': 'right'}, [])
+    >>> result["patches"], run_cell([data, "sp.pi = 3"], check)["patches"]
+    (False, True)
     >>> run_cell([data, "print(k)\\na = K > 0"], check)["errors"][0]["line"]
     2
     >>> result = run_cell([data, "k ≥ 0"], check, names=["", "a"])
@@ -94,7 +97,22 @@ def run_cell(cells, check, problem="", names=()):
         "verdicts": {name: verdict.status for name, verdict in verdicts.items()},
         "html": as_html(verdicts) if verdicts else "",
         "text": as_text(verdicts),
+        "patches": any(map(_patches, cells)),
     }
+
+
+def _patches(typed):
+    """Return whether a cell sets or deletes an attribute or calls what does, as for one of a module."""
+    try:
+        tree = ast.parse(read_typed(typed))
+    except SyntaxError:
+        return False
+    return any(
+        not isinstance(node.ctx, ast.Load) or node.attr == "__dict__"
+        if isinstance(node, ast.Attribute)
+        else isinstance(node, ast.Name) and node.id in ("setattr", "delattr", "vars")
+        for node in ast.walk(tree)
+    )
 
 
 def _with_reservation(verdict):

@@ -4,7 +4,7 @@
   /* The weight of each kind: what states a thing, then the problems about it, then what mentions it. */
   const WEIGHTS = {
     Chapter: 3, Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .4, Function: .8,
-    Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4, Check: .2,
+    Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4, Check: .2, Absent: 3,
   };
   /* What readers write before the number of a place, in English and Russian: "Theorem 1.2", "eq. (3.7)", "§3.2", "задача 5.26".
      A number alone is that of a problem, one in parentheses that of an equation. */
@@ -16,7 +16,7 @@
   const REFERENCE = /^(\p{L}*|§)\.?\s*(\(?)(\p{N}+(?:\.\p{N}+)*[a-z]?)\)?$/u;
   /* Words that say nothing about a place. */
   const STOP = new Set(["a", "an", "and", "by", "for", "how", "in", "is", "of", "on", "the", "to", "what", "with"]);
-  const NAMES = { Term: "Glossary", Library: "Module" };
+  const NAMES = { Term: "Glossary", Library: "Module", Absent: "Not in the course" };
   const SHOWN = 30;
   const FORMULA = /\\\(.*?\\\)/g;
   const RUSSIAN_ENDING = /(?:иями|ями|ами|ого|его|ому|ему|ыми|ими|иях|ией|ия|ий|ие|ии|ию|ая|яя|ое|ее|ые|ый|ой|ую|юю|ей|ов|ев|ам|ям|ах|ях|ом|ем|ых|их|ы|и|а|я|о|е|у|ю|ь|й)$/;
@@ -41,15 +41,15 @@
   /* Return the index of the entries as a function: query -> entries, best first; `isComplete` says whether they have all words. */
   const indexOf = async (entries) => {
     const index = new MiniSearch({
-      fields: ["number", "title", "terms", "anchor", "text"],
+      fields: ["number", "title", "terms", "names", "anchor", "text"],
       extractField: (entry, field) => field === "id" ? entry.id
-        : field === "terms" ? (entry.terms || []).join(" ")
+        : field === "terms" || field === "names" ? (entry[field] || []).join(" ")
         : field === "anchor" ? anchorOf(entry)
         : (entry[field] || "").replace(FORMULA, " "),
       tokenize,
       processTerm: stem,
       searchOptions: {
-        boost: { number: 8, title: 5, terms: 4, anchor: 3 },
+        boost: { number: 8, title: 5, terms: 4, names: 4, anchor: 3 },
         bm25: { k: 1.2, b: .3, d: .5 },
         prefix: (term, k, terms) => k === terms.length - 1 && /^\p{L}{2}/u.test(term),
         fuzzy: (term) => /^\p{L}{6}/u.test(term) ? .2 : false,
@@ -62,7 +62,7 @@
     /* An entry whose title or one of whose terms is the query, or contains it as a phrase, comes before one that has its
        words here and there. */
     const closeness = (entry, phrase) => {
-      const names = [entry.title, `${entry.kind} ${entry.number || ""}`, anchorOf(entry), ...(entry.terms || [])].map(stems);
+      const names = [entry.title, `${entry.kind} ${entry.number || ""}`, anchorOf(entry), ...(entry.terms || []), ...(entry.names || [])].map(stems);
       return names.includes(phrase) ? 4 : names.some((name) => has(name, phrase)) ? 3 : 1;
     };
     /* Return the entries with all words of the query; else with words one or two letters away. */

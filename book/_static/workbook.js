@@ -1,6 +1,6 @@
 /* On paper nothing is folded and the theme is the light one; after printing all is as before. */
 addEventListener("beforeprint", () => {
-  for (const fold of document.querySelectorAll("article details:not([open], .mistakes)")) {
+  for (const fold of document.querySelectorAll("article details:not([open], .mistakes, .topics)")) {
     fold.open = true;
     fold.dataset.printed = "";
   }

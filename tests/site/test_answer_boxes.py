@@ -3,10 +3,12 @@
 import hashlib
 import importlib.util
 import json
+import re
 import subprocess
 import sys
 import threading
 from contextlib import contextmanager
+from datetime import date, timedelta
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -24,8 +26,9 @@ from workbook.page import run_cell
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "book" / "answer_boxes"
-sys.path.insert(0, str(ROOT / "book" / "_ext"))
+sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book")]
 
+import asked_again  # noqa: E402
 from workbook_site.answer_boxes import boxes_of, in_order_of_boxes  # noqa: E402
 
 PAGES = ("ch1/p15", "ch5/p57", "ch5/p03")
@@ -63,7 +66,7 @@ def build(folder, edition, engine):
     toc = folder / f"{edition}.yml"
     files = "".join(f"  - file: {edition}/{page}\n" for page in PAGES)
     toc.write_text(
-        f"format: jb-book\nroot: book/index\nchapters:\n  - file: book/problems\n{files}",
+        f"format: jb-book\nroot: book/index\nchapters:\n  - file: book/problems\n  - file: book/progress\n{files}",
         encoding="utf-8",
     )
     overrides = {
@@ -88,6 +91,7 @@ def sites(tmp_path_factory):
     engine = tmp_path_factory.mktemp("run")
     source = (Path(__file__).parent / "native_engine.js").read_text(encoding="utf-8")
     (engine / "engine.js").write_text(source, encoding="utf-8")
+    asked_again.main(ROOT, "ch1/p15")
     sites = SimpleNamespace()
     for edition in ("solutions", "exercises"):
         site = build(tmp_path_factory.mktemp("site"), edition, engine)
@@ -169,6 +173,10 @@ class Page:
             f"{output} && !document.querySelector('.answer-run[aria-disabled=true]')", 30
         )
         return self.browser.run(output)
+
+    def find_setting(self, name):
+        """Return what the build says about the page to its script."""
+        return self.browser.find("script[data-notebook]").get_attribute(f"data-{name}")
 
     def tool(self, text):
         (button,) = (b for b in self.all(".answers-panel button") if b.text == text)
@@ -271,7 +279,8 @@ def test_only_pages_with_boxes_or_lists_load_a_script(sites):
         text = path.read_text(encoding="utf-8")
         has_boxes = path.parent.name.startswith("ch") or path == sites.solutions / "book/index.html"
         assert ("answer_boxes/boxes.js" in text) == ('class="answer-box"' in text) == has_boxes
-        assert ("answer_boxes/progress.js" in text) == (path.stem == "problems")
+        assert ("answer_boxes/progress.js" in text) == (path.stem in ("problems", "progress"))
+        assert ("answer_boxes/where.js" in text) == (path.stem == "progress")
 
 
 def test_the_bundles_are_those_of_the_sources():
@@ -306,9 +315,9 @@ def test_nothing_loads_before_a_box_is_used_and_python_not_before_the_reader_agr
     page.open(allowed=False)
     assert _loaded(browser) == ["boxes.css", "boxes.js"]
     page.all(".answer-box textarea")[0].click()
-    assert "34 MB" in browser.wait_for("document.querySelector('.answer-question')?.innerText")
+    assert "33 MB" in browser.wait_for("document.querySelector('.answer-question')?.innerText")
     assert {"editor.js", "engine.js"} <= set(_loaded(browser))
-    assert "34 MB" in browser.run("document.querySelector('.answer-live').innerText")
+    assert "33 MB" in browser.run("document.querySelector('.answer-live').innerText")
     page.all(".answer-question button")[1].click()
     page.write("b_region", RIGHT["b_region"])  # another focus does not ask again
     assert not page.all(".answer-question") and browser.run("window.engineStarts") is None
@@ -326,7 +335,7 @@ def test_pages_opened_as_files_load_scripts_alone(browser, sites):
     browser.open(f"{sites.solutions.as_uri()}/solutions/ch1/p15.html")
     browser.driver.execute_script("localStorage.clear()")
     browser.driver.find_elements("css selector", ".answer-box textarea")[0].click()
-    assert "45 MB" in browser.wait_for("document.querySelector('.answer-question')?.innerText")
+    assert "44 MB" in browser.wait_for("document.querySelector('.answer-question')?.innerText")
     assert browser.wait_for("document.querySelector('.answer-box .cm-content')")
     assert browser.errors() == [] and browser.foreign_requests() == []
 
@@ -745,3 +754,147 @@ def test_boxes_fit_a_phone(page, browser):
     )  # else iOS zooms into the field
     small = "[...document.querySelectorAll('.answer-box button')].filter(b => b.offsetHeight && b.offsetHeight < 40)"
     assert browser.run(f"{small}.length") == 0
+
+
+def test_what_is_asked_for_stands_once_and_above_its_field(page, browser):
+    page.open()
+    meaning = page.all(".answer-meaning")[0].text
+    assert meaning.startswith("a_region") and meaning.endswith("condition")
+    assert page.text("a_region") == "a_region = ..."
+    assert not [fold for fold in page.all("details.answers") if fold.is_displayed()]
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    assert all(fold.is_displayed() for fold in page.all("details.answers"))
+    browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert "# condition: the set of" in page.download().read_text(encoding="utf-8")
+
+
+def test_the_question_stands_before_what_is_to_be_answered(sites):
+    text = (sites.solutions / "solutions/ch1/p15.html").read_text(encoding="utf-8")
+    statement = BeautifulSoup(text, "html.parser").select_one(".exercise").get_text()
+    assert statement.index("check ignores the line") < statement.index("To answer")
+
+
+def test_the_name_and_the_text_of_a_verdict_stand_together_on_a_phone(page, browser):
+    page.open(phone=True)
+    page.write("a_region", WRONG)
+    page.run()
+    verdict = browser.run("""(() => {
+        const verdict = document.querySelector('.answer-output .workbook-verdict');
+        const [box, name, text] = [verdict, verdict.querySelector('code'), verdict.querySelector('span:not(.mark)')]
+            .map(e => e.getBoundingClientRect());
+        return {name: name.left - box.left, text: text.width / box.width}; })()""")
+    assert verdict["name"] < 50 and verdict["text"] > 0.85
+
+
+def test_topics_open_when_all_answers_are_right(page, browser):
+    page.open()
+    is_open = "document.querySelector('details.topics').open"
+    assert not browser.run(is_open)
+    found = {"version": page.find_setting("version"), "answers": 5, "right": list("abcde")}
+    browser.driver.execute_script(
+        "localStorage['workbook/verified'] = JSON.stringify({'1.15': arguments[0]})", found
+    )
+    page.open()
+    assert browser.run(is_open)
+
+
+def test_a_module_that_a_cell_changed_is_not_changed_for_the_next_run(page, browser):
+    page.open()
+    page.write("a_region", RIGHT["a_region"])
+    page.run()
+    browser.driver.execute_script(
+        "window.startedAnew = 0; Object.defineProperty(workbookEngine, 'stop',"
+        " { get: () => () => { window.startedAnew += 1; }, set() {} })"
+    )
+    page.run()
+    assert browser.run("window.startedAnew") == 0
+    page.write("a_region", f"{RIGHT['a_region']}; sp.mine = 1")
+    browser.driver.execute_script("document.querySelector('.answer-output').replaceChildren()")
+    page.run()
+    assert browser.wait_for("window.startedAnew") == 1
+
+
+# Where am I? -------------------------------------------------------------------------------------
+
+
+def _records(browser, **records):
+    """Keep records of problems in the browser, as an earlier day would have left them."""
+    browser.driver.execute_script(
+        "localStorage['workbook/verified'] = JSON.stringify(arguments[0])",
+        {number.replace("_", "."): record for number, record in records.items()},
+    )
+
+
+def _days_ago(days):
+    return (date.today() - timedelta(days)).isoformat()
+
+
+def _list(browser, title):
+    return browser.run(
+        "[...document.querySelectorAll('#progress-page section')]"
+        f".find(section => section.firstChild.textContent === '{title}')?.innerText"
+    )
+
+
+def test_right_answers_come_back_after_1_7_and_30_days(page, browser):
+    page.open(path="book/progress")
+    due = {(0, 1): True, (0, 0): False, (1, 6): False, (1, 7): True, (2, 30): True, (3, 99): False}
+    for (again, days), is_due in due.items():
+        record = {"answers": 5, "right": ["a_region"], "wrong": [], "again": again}
+        _records(browser, **{"1_15": record | {"day": _days_ago(days)}})
+        page.open(path="book/progress")
+        assert ("with other numbers" in _list(browser, "To repeat today")) == is_due, (again, days)
+
+
+def test_a_problem_is_asked_again_with_other_numbers(page, browser):
+    record = {"answers": 5, "right": ["a_region"], "wrong": ["b_region"], "again": 0}
+    page.open(path="book/progress")
+    _records(browser, **{"1_15": record | {"version": "any", "day": _days_ago(1)}})
+    page.open(path="book/progress")
+    assert "b_region" in _list(browser, "Tried and not right yet")
+    page.all("#progress-page a")[0].click()
+    assert browser.wait_for("document.querySelector('.again-statement mjx-container')", 30)
+    assert not [part for part in page.all(".exercise, .tag_data") if part.is_displayed()]
+    page.write("a_region", RIGHT["a_region"])
+    assert "wrong" in page.run()
+    kept = "JSON.parse(localStorage['workbook/verified'])['1.15']"
+    assert browser.run(kept)["day"] == date.today().isoformat() and browser.run(kept)["again"] == 0
+    _records(browser, **{"1_15": record | {"version": "any", "day": _days_ago(1)}})
+    last = browser.run(
+        "workbookNotebook.cells.find(cell => cell.source.includes('p_a, p_b')).source"
+    )
+    number = re.search(r"= (\d+), ", last)[1]
+    page.write("a_region", f"a_region = sp.And(k1 > 0, k1*k2 > {number})")
+    page.run()
+    assert browser.run(kept)["again"] == 1
+
+
+def test_progress_is_saved_added_and_forgotten(page, browser, tmp_path):
+    page.open(path="book/progress")
+    _records(browser, **{"1_15": {"answers": 5, "right": ["a_region"], "wrong": []}})
+    page.open(path="book/progress")
+    _tool(page, "Save as a file")
+    saved = tmp_path / "my-progress.json"
+    assert browser.wait_for("1") and _exists(saved)
+    _tool(page, "Forget all")
+    assert browser.run("localStorage['workbook/verified'] ?? null") is None
+    page.all(".progress-tools input")[0].send_keys(str(saved))
+    assert browser.wait_for("localStorage['workbook/verified']")
+    foreign = tmp_path / "other.json"
+    foreign.write_text('{"a": 1}', encoding="utf-8")
+    page.all(".progress-tools input")[0].send_keys(str(foreign))
+    status = "document.querySelector('.progress-tools [role=status]').textContent"
+    assert browser.wait_for(f"{status}.includes('other.json is not a file of progress')")
+    assert browser.foreign_requests() == []
+
+
+def _tool(page, text):
+    next(b for b in page.all(".progress-tools button") if b.text == text).click()
+
+
+def _exists(path):
+    for _ in range(100):
+        if path.exists():
+            return True
+        threading.Event().wait(0.05)
+    return False

@@ -250,3 +250,11 @@ def test_the_index_has_no_numbers(editions):
     """An entry of a number alone would stand under "Symbols"."""
     index = (editions.full / "genindex.html").read_text(encoding="utf-8")
     assert 'id="S"' in index and 'id="Symbols"' not in index
+
+
+@full
+def test_the_page_of_downloads_offers_the_wheel(pages):
+    root, parsed = pages
+    page = parsed[root / "book" / "downloads.html"]
+    wheel = page.select_one("ul.downloads a[href$='.whl']")
+    assert (root / "book" / wheel["href"]).resolve().exists()

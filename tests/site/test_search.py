@@ -5,6 +5,7 @@ import json
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -155,6 +156,37 @@ FIRST = {
     "устойчивость по Ляпунову": "book/ch1/linear_stability.html#sec-1-stability",
     "hurwitz_minors": "book/library/stability.html#library-stability-hurwitz_minors",
 }
+#: Query: the best hit, a section found by a further name of book/search_names.toml.
+NAMED = {
+    "kalman decomposition": "book/ch2/decomposition.html",
+    "INS": "book/ch4/inertial_navigation.html",
+    "gyro drift": "book/ch4/inertial_navigation.html",
+    "reachable set": "book/ch5/least_time.html|book/ch9/enclosing_step.html#sec-9-dubins",
+    "steady state kalman": "book/ch4/continuous_filter.html",
+    "transfer function": "book/ch2/decomposition.html",
+    "psi": "book/ch5/maximum_principle.html",
+    "ψ": "book/ch5/maximum_principle.html",
+    "lambda": "book/ch1/linear_stability.html",
+    "λ": "book/ch1/linear_stability.html",
+    "Nyquist": "book/ch3/margins.html",
+    "задача Годдарда": "book/ch5/goddard.html|ch5/p51.html",
+    "брахистохрона": "book/ch5/goddard.html|ch5/p3[78].html",
+}
+#: Query in Russian: a problem among the first hits.
+RUSSIAN = {
+    "маятник": "ch1/p02|ch2/p36|ch3/p03",
+    "спутник": "ch1/p05|ch2/p13|ch2/p31",
+    "двойной интегратор": "ch5/p03",
+    "регулятор": "ch5/p6[3-8]|ch3/p24",
+    "перевёрнутый маятник": "ch2/p35|ch2/p36|ch3/p05",
+}
+#: Query: what the course does not have.
+ABSENT = {
+    "PID": "PID control",
+    "PID controller": "PID control",
+    "MPC": "Model predictive control",
+    "ПИД-регулятор": "PID control",
+}
 #: Query: a page with the section that states it.
 STATED = {
     "Hurwitz criterion": "book/ch1/hurwitz.html",
@@ -217,6 +249,45 @@ def test_a_term_leads_to_the_section_that_states_it_then_to_problems(hits_of, qu
     kind, address = hits[0]
     assert kind == "Section" and re.match(page, address)
     assert "Problem" in [kind for kind, _ in hits[:10]]
+
+
+@pytest.mark.parametrize("query, page", NAMED.items())
+def test_a_further_name_leads_to_the_section(hits_of, query, page):
+    assert re.search(page, hits_of(query)[0][1])
+
+
+@pytest.mark.parametrize("query, page", RUSSIAN.items())
+def test_a_russian_title_leads_to_problems(hits_of, query, page):
+    found = [address for kind, address in hits_of(query)[:10] if kind == "Problem"]
+    assert any(re.search(page, address) for address in found), found
+
+
+@pytest.mark.parametrize("query, title", ABSENT.items())
+def test_what_the_course_does_not_have_is_said(dialog, browser, query, title):
+    dialog(query)
+    first = browser.find("#search-hits li").text
+    assert first.startswith(f"Not in the course\n{title}\nThe course has nothing on it.")
+
+
+def test_every_problem_and_section_has_a_russian_name(editions):
+    names = tomllib.loads((ROOT / "book" / "search_names.toml").read_text(encoding="utf-8"))
+    problems = {
+        f"{path.parent.name[2:]}.{int(path.stem[1:])}"
+        for path in (ROOT / "solutions").glob("ch*/p??.md")
+    }
+    assert names["problems"].keys() == problems
+    script = (editions.full / "search-entries.js").read_text(encoding="utf-8")
+    listed = json.loads(script.removeprefix("globalThis.searchEntries = ").removesuffix(";\n"))
+    sections = {}
+    for entry in listed:
+        page = entry["url"].partition("#")[0]
+        if re.fullmatch(r"book/ch\d/\w+\.html", page):
+            sections.setdefault(page, []).extend(entry.get("names", ()))
+    without = [page for page, found in sections.items() if not re.search("[а-я]", " ".join(found))]
+    assert len(sections) > 50 and not without
+    labels = set(names["places"]) | {topic["nearest"] for topic in names["absent"]}
+    text = "".join(p.read_text(encoding="utf-8") for p in (ROOT / "book").glob("ch*/*.md"))
+    assert not [label for label in labels if f"({label})=" not in text]
 
 
 def test_a_word_that_the_book_does_not_have(dialog, browser):

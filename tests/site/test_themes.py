@@ -4,6 +4,7 @@ import pytest
 
 PAGES = [
     "book/index.html",
+    "book/progress.html",
     "book/ch5.html",
     "book/ch1/hurwitz.html",
     "book/ch9/figures.html",

@@ -3,10 +3,12 @@
 catalogue         the problems of the edition that is being built, from their front matter
 problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
 listings          the list of all problems and the index by topic, made from the catalogue
+chapter_map       a chapter's page and its sidebar: sections with a picture and their problems
 downloads         the notebooks of students and tutorials, and the wheel
 common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
 answer_boxes      boxes for answers that are checked in the page
 self_tests        questions inside the theory, with the same boxes
+progress_page     the reader's own progress, "Where am I?"
 routes            ways through the course as tables, and the map of the sections
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
@@ -35,6 +37,7 @@ from workbook_site import (
     answer_boxes,
     catalogue,
     cell_output,
+    chapter_map,
     check_cases,
     common_mistakes,
     control_problems,
@@ -51,6 +54,7 @@ from workbook_site import (
     offline,
     printed_book,
     problem_pages,
+    progress_page,
     punctuation,
     routes,
     search_index,
@@ -64,11 +68,13 @@ EXTENSIONS = (
     catalogue,
     problem_pages,
     listings,
+    chapter_map,
     downloads,
     control_problems,
     common_mistakes,
     answer_boxes,
     self_tests,
+    progress_page,
     routes,
     folding,
     figures,

@@ -221,6 +221,17 @@ def _notebook(app, problem):
     return in_order_of_boxes(served_notebook(app, problem))
 
 
+def _other_rows(app, problem):
+    """Return row -> statement and notebook of the numbers with which a problem is asked again."""
+    path = (
+        app.srcdir
+        / "_build"
+        / problem.page.replace(problem.page.partition("/")[0], "asked_again", 1)
+    )
+    path = path.with_suffix(".json")
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
 def _find_engine(app, config):
     config.workbook_engine_found = (app.srcdir / config.workbook_engine / ENGINE).exists()
     if config.workbook_engine_found:
@@ -232,7 +243,7 @@ def _add_scripts(app, page, template, context, doctree):
     if not app.config.workbook_engine_found:
         return
     if page in getattr(app.env, "workbook_listings", ()):
-        app.add_js_file("answer_boxes/progress.js", loading_method="defer")
+        add_static_script(app, "progress.js")
     box = next(iter(doctree.findall(answer_box)), None) if doctree else None
     if box is None:
         return
@@ -248,9 +259,17 @@ def _add_scripts(app, page, template, context, doctree):
             "data-title": problem.title,
             "data-answers": str(len(problem.answers)),
             "data-version": version_of(_notebook(app, problem)),
+            **({"data-rows": " ".join(rows)} if (rows := _other_rows(app, problem)) else {}),
             **({} if page == problem.page else {"data-part": "true"}),
         },
     )
+
+
+def add_static_script(app, name):
+    """Load a script of the answer boxes, with their style, on the page that is being written."""
+    if app.config.workbook_engine_found:
+        app.add_css_file("answer_boxes/boxes.css")
+        app.add_js_file(f"answer_boxes/{name}", loading_method="defer")
 
 
 def add_script(app, page, notebook, **attributes):
@@ -275,6 +294,12 @@ def _write_notebooks(app, exception):
             script.parent.mkdir(parents=True, exist_ok=True)
             text = json.dumps(_notebook(app, problem), ensure_ascii=False)
             script.write_text(f"window.workbookNotebook = {text};\n", encoding="utf-8")
+            if rows := _other_rows(app, problem):
+                for row in rows.values():
+                    row["notebook"] = in_order_of_boxes(row["notebook"])
+                text = json.dumps(rows, ensure_ascii=False)
+                script = app.outdir / f"{problem.notebook.removesuffix('ipynb')}again.js"
+                script.write_text(f"window.workbookRows = {text};\n", encoding="utf-8")
         else:
             script.unlink(missing_ok=True)
 

@@ -28,6 +28,13 @@ EXAMPLE_SITE = "https://workbook.example"
 GITHUB_PAGES = re.compile(r"https://([\w-]+)\.github\.io(?:/([\w.-]+)((?:/[\w.-]+)*))?/?")
 
 
+#: What is said where something was not made.
+MISSING = {
+    "pdf/*.pdf": "This copy was built without the book as PDF: `make pdf` prints it.",
+    "bundle/*.zip": "This copy was built without a packed site: `make bundle` packs it.",
+}
+
+
 class WheelRole(SphinxRole):
     """Links to the wheel that the site serves: {wheel}`the wheel`."""
 
@@ -55,28 +62,34 @@ class PageNotebookRole(SphinxRole):
 
 
 class BuiltFilesDirective(SphinxDirective):
-    """Lists the book as PDF and the packed site, where they were made."""
+    """Lists the wheel, and the book as PDF and the packed site where they were made."""
 
     def run(self):
         # they are made after the page was read
         self.env.note_reread()
         build = Path(self.env.srcdir) / "_build"
-        paths = [*sorted(build.glob("pdf/*.pdf")), *build.glob("bundle/*.zip")]
-        if not paths:
-            how = "This copy was built without them: `make pdf` prints the book, `make bundle` packs the site."
-            return self.parse_text_to_nodes(how)
+        made = {
+            form: sorted(build.glob(form)) for form in ("wheels/*.whl", "pdf/*.pdf", "bundle/*.zip")
+        }
+        paths = [path for found in made.values() for path in found]
         items = [nodes.list_item("", nodes.paragraph("", "", *self.entry(path))) for path in paths]
-        return [nodes.bullet_list("", *items)]
+        missing = [how for form, how in MISSING.items() if not made[form]]
+        return [
+            nodes.bullet_list("", *items, classes=["downloads"]),
+            *(node for how in missing for node in self.parse_text_to_nodes(how)),
+        ]
 
     def entry(self, path):
         name = path.stem.replace("-", " ").capitalize()
-        site = "The site, with notebooks and the wheel"
-        title = site if path.suffix == ".zip" else f"{name} (PDF)"
+        title = {
+            ".whl": "trajlib and workbook, to be installed by pip (wheel)",
+            ".zip": "The site, with notebooks and the wheel",
+        }.get(path.suffix, f"{name} (PDF)")
         date = datetime.fromtimestamp(path.stat().st_mtime).strftime("%d %B %Y").lstrip("0")
         address = str(path.relative_to(Path(self.env.srcdir) / "_build"))
         return [
             link(self.env.docname, address, escape(title)),
-            nodes.Text(f", {path.stat().st_size / 1e6:.0f} MB, made on {date}"),
+            nodes.Text(f", {path.stat().st_size / 1e6:.1f} MB, made on {date}"),
         ]
 
 

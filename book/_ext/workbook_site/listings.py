@@ -24,17 +24,9 @@ class Listing(SphinxDirective):
 
 
 class ProblemList(Listing):
-    """Lists all problems, a table for each chapter; with `:chapter:` that chapter alone."""
-
-    option_spec = {"chapter": str}
+    """Lists all problems, a table for each chapter."""
 
     def content_of(self, problems):
-        if "chapter" in self.options:
-            return [
-                self._table(
-                    [problem for problem in problems if problem.chapter == self.options["chapter"]]
-                )
-            ]
         self.env.metadata[self.env.docname]["problem_filter"] = True
         return [
             nodes.raw("", _filter_of(problems), format="html"),

@@ -77,7 +77,7 @@ def _link_target(path):
 
 
 class ProblemHead(SphinxDirective):
-    """Shows the line under the title: section, level, topics, and the student's notebook."""
+    """Shows the line under the title: section, level, time, folded topics, the student's notebook."""
 
     def run(self):
         problem = catalogue.of(self.env)[self.env.docname]
@@ -85,8 +85,11 @@ class ProblemHead(SphinxDirective):
         chips += _chip(f"{problem.section}", "section")
         chips += _chip("★ starred" if problem.level == "starred" else problem.level, problem.level)
         chips += _chip(problem.study_time, "time")
+        topics = nodes.paragraph(classes=["problem-chips"])
         for topic in problem.topics:
-            chips += to_label(self.env.docname, topic_label(topic), topic, "chip", "topic")
+            topics += to_label(self.env.docname, topic_label(topic), topic, "chip", "topic")
+        # a topic may name the result: it is shown when asked for, or when all answers are right
+        fold = details("", summary("", "Topics"), topics, classes=["topics"])
         notebook = nodes.paragraph(
             "",
             "",
@@ -101,7 +104,7 @@ class ProblemHead(SphinxDirective):
             ]
         )
         target = nodes.target("", "", ids=[f"problem-{problem.number}"])
-        head = nodes.container("", chips, notebook, classes=["problem-head"])
+        head = nodes.container("", chips, fold, notebook, classes=["problem-head"])
         core = (
             [nodes.paragraph("", core_text(problem.core), classes=["problem-core"])]
             if problem.core
@@ -148,7 +151,10 @@ class ProblemAnswers(SphinxDirective):
 
 
 class AnswersBesideItems(SphinxPostTransform):
-    """Moves the answers of an item under its statement and the formulas that belong to it."""
+    """Moves the answers of an item under its statement and the formulas that belong to it.
+
+    Where text about all items follows the last one, such as the question, they come after that text.
+    """
 
     default_priority = 25  # before solutions are folded
     formats = ("html",)
@@ -156,28 +162,38 @@ class AnswersBesideItems(SphinxPostTransform):
     def run(self, **kwargs):
         folds = [fold for fold in self.document.findall(details) if fold.get("item")]
         for statement in self.document.findall(exercise_node):
+            openings = [p for p in statement.findall(nodes.paragraph) if _opens_item(p)]
+            text_follows = openings and any(
+                isinstance(node, nodes.paragraph)
+                for node in openings[-1].parent[_end_of_item(openings[-1]) :]
+            )
             for fold in folds:
-                opening = next(
-                    (
-                        p
-                        for p in statement.findall(nodes.paragraph)
-                        if re.match(rf"{fold['item']}\)(\W|$)", p.astext())
-                    ),
-                    None,
-                )
-                if opening is not None:
-                    parent, below = opening.parent, opening.parent.index(opening) + 1
-                    while below < len(parent) and _continues_item(parent[below]):
-                        below += 1
+                own = [p for p in openings if p.astext()[0] == fold["item"]]
+                if own:
                     fold.parent.remove(fold)
-                    parent.insert(below, fold)
+                    parent = own[0].parent
+                    parent.insert(len(parent) if text_follows else _end_of_item(own[0]), fold)
+
+
+def _opens_item(paragraph):
+    return re.match(r"[a-z]\)(\W|$)", paragraph.astext()) is not None
+
+
+def _end_of_item(opening):
+    """Return the index after the formulas and sentences that continue the first paragraph of an item."""
+    parent = opening.parent
+    below = parent.index(opening) + 1
+    while below < len(parent) and _continues_item(parent[below]):
+        below += 1
+    return below
 
 
 def _continues_item(node):
     """Return whether a node is a formula, a list, or a paragraph that continues a sentence."""
     return isinstance(node, (nodes.math_block, nodes.bullet_list)) or (
         isinstance(node, nodes.paragraph)
-        and re.match(r"(?![a-z]\)(\W|$))[a-z]", node.astext()) is not None
+        and re.match("[a-z]", node.astext()) is not None
+        and not _opens_item(node)
     )
 
 

@@ -2,13 +2,16 @@
 
 They are collected when a page is read, and written as the script `search-entries.js`, which
 book/_static/search.js loads when the reader searches; a script can be loaded from file:// too.
-Solutions are left out. Sphinx's own search is not built.
+Solutions are left out. Sphinx's own search is not built. `book/search_names.toml` has further names of places:
+synonyms, Russian titles, and what the course does not have.
 """
 
 import html
 import json
 import re
+import tomllib
 from copy import deepcopy
+from pathlib import Path
 
 from docutils import nodes
 from sphinx import addnodes
@@ -192,11 +195,13 @@ def _target(reference):
 
 
 def _descriptions(page, document):
-    """Return what a page lists about others: "[State feedback](ch3/state_feedback.md): §3.2, ..."."""
+    """Return what a chapter says of its sections: "[State feedback](ch3/state_feedback.md): §3.2, ..."."""
     described = {}
-    for item in document.findall(nodes.list_item):
-        reference = next(item.findall(addnodes.pending_xref), None)
-        _, colon, description = words(item).partition(": ")
+    for line in document.findall(nodes.container):
+        if "about" not in line["classes"]:
+            continue
+        reference = next(line.findall(addnodes.pending_xref), None)
+        _, colon, description = words(line[0]).partition(": ")
         if reference is not None and colon:
             described[_target(reference).strip("/")] = description
     return described
@@ -232,10 +237,40 @@ def entries(env):
         for term in collected[page]:
             for label in term.get("introduced", ()):
                 _add_names(collected, *holders.get(label, (page, None)), term)
+    names = _further_names(env)
+    for label, further in names["places"].items():
+        if label in holders:
+            page, k = holders[label]
+            collected[page][k]["names"] = further
+    for page, problem in catalogue.of(env).items():
+        if page in pages and problem.number in names["problems"]:
+            collected[page][0]["names"] = [names["problems"][problem.number]]
     listed = [_written(env, page, entry) for page in pages for entry in collected[page]]
     listed += _topics(env)
+    for topic in names["absent"]:
+        if topic["nearest"] in holders:
+            page, k = holders[topic["nearest"]]
+            listed.append(_absent(topic, _written(env, page, collected[page][k])))
     _translate_topics(listed)
     return listed
+
+
+def _further_names(env):
+    """Return what book/search_names.toml says: names of places and problems, and what is absent."""
+    path = Path(env.srcdir, "book", "search_names.toml")
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    return {"places": {}, "problems": {}, "absent": []} | tomllib.loads(text)
+
+
+def _absent(topic, nearest):
+    """Return the entry of a topic that the course does not have, which leads to the nearest place."""
+    return {
+        "kind": "Absent",
+        "title": topic["title"],
+        "terms": topic["names"],
+        "text": f"The course has nothing on it. Nearest is: {nearest['title']}.",
+        "url": nearest["url"],
+    }
 
 
 def _add_names(collected, page, k, term):
@@ -267,6 +302,7 @@ def _written(env, page, entry):
         "number": entry["number"],
         "title": entry["title"],
         "terms": list(dict.fromkeys(entry["terms"])),
+        "names": entry.get("names"),
         "text": entry["text"],
         "url": f"{page}.html#{entry['anchor']}",
         "place": _place(env, page, entry),

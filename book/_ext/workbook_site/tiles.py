@@ -10,6 +10,7 @@ not in the edition are left out, and with all of them the section.
 """
 
 import re
+from base64 import b64decode
 from pathlib import Path
 
 from docutils import nodes
@@ -18,6 +19,7 @@ from sphinx import addnodes
 from sphinx.util.docutils import SphinxDirective
 
 FOLDER = "_build/tiles"
+STILL = re.compile(r'<img class="explorer-still"[^>]* src="data:image/svg\+xml;base64,([^"]+)"')
 #: Width and height of a picture.
 SIZE = re.compile(r"""viewBox=["']\S+ \S+ ([\d.]+) ([\d.]+)""")
 
@@ -47,10 +49,8 @@ class Tiles(SphinxDirective):
 
     def _tile(self, page, source):
         tile = nodes.container(classes=["tile"])
-        if picture := self._picture(source):
-            classes = (
-                ["wide"] if _is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
-            )
+        if picture := picture_of(self.env, source):
+            classes = ["wide"] if is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
             tile += nodes.image(uri=f"/{picture}", alt="", classes=classes)
         title = addnodes.pending_xref(
             "",
@@ -65,32 +65,41 @@ class Tiles(SphinxDirective):
         tile += nodes.paragraph("", "", title)
         return tile
 
-    def _picture(self, page):
-        """Write the first picture of a page that was executed; return its path from the root."""
-        source = Path(self.env.doc2path(page))
-        self.env.note_dependency(str(source))
-        cache = get_cache(self.config.nb_execution_cache_path)
-        for record in cache.list_cache_records():
-            if record.uri == str(source):
-                pictures = _pictures(cache.get_cache_bundle(record.pk).nb)
-                for picture in sorted(pictures, key=_is_wide):
-                    file = Path(self.env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
-                    file.parent.mkdir(parents=True, exist_ok=True)
-                    file.write_text(picture, encoding="utf-8")
-                    return file.relative_to(self.env.srcdir).as_posix()
-        return None
+
+def picture_of(env, page):
+    """Write the first picture of a page that was executed; return its path from the root, or None.
+
+    Rather one that is not wide; of a problem the first, the drawing of its statement.
+    """
+    source = Path(env.srcdir, f"{page}.md")
+    env.note_dependency(str(source))
+    cache = get_cache(env.config.nb_execution_cache_path)
+    for record in cache.list_cache_records():
+        if record.uri == str(source):
+            pictures = list(_pictures(cache.get_cache_bundle(record.pk).nb))
+            if page.startswith("book/"):
+                pictures.sort(key=is_wide)
+            for picture in pictures:
+                file = Path(env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(picture, encoding="utf-8")
+                return file.relative_to(env.srcdir).as_posix()
+    return None
 
 
 def _pictures(notebook):
-    """Yield the drawn pictures; the stills of interactive figures have no viewBox."""
-    for cell in notebook.cells:
-        for output in cell.get("outputs", ()):
-            picture = output.get("data", {}).get("image/svg+xml", "")
-            if SIZE.search(picture):
-                yield picture
+    """Return the drawn pictures, or where there are none those of interactive figures."""
+    outputs = [
+        output.get("data", {}) for cell in notebook.cells for output in cell.get("outputs", ())
+    ]
+    drawn = [output["image/svg+xml"] for output in outputs if "image/svg+xml" in output]
+    stills = [STILL.search(output.get("text/html", "")) for output in outputs]
+    return list(filter(SIZE.search, drawn)) or [
+        b64decode(still[1]).decode("utf-8") for still in stills if still
+    ]
 
 
-def _is_wide(picture):
+def is_wide(picture):
     width, height = map(float, SIZE.search(picture).groups())
     return width > 1.7 * height
 

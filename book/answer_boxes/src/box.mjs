@@ -1,9 +1,14 @@
 /* The box of one check cell: the code of its answers, the buttons, and below them what a run gives. */
 
+import { isAskedAgain } from "./again.mjs";
 import { button, make } from "./elements.mjs";
 import { Field } from "./field.mjs";
 import { cellsOfRun } from "./notebook.mjs";
 import * as python from "./python.mjs";
+
+/** What the statement says about an answer, on paper and without boxes. */
+const rowOf = (name) =>
+  [...document.querySelectorAll("details.answers .answer")].find((row) => row.querySelector("code").textContent === name);
 
 export class Box {
   constructor(element, page) {
@@ -29,6 +34,10 @@ export class Box {
     this.state = make("span", { className: "answer-state" });
     this.live = make("p", { className: "answer-live", role: "status" });
     this.output = make("div", { className: "answer-output" });
+    for (const field of this.fields) {
+      const meaning = !isAskedAgain() && rowOf(field.name)?.querySelector("p").cloneNode(true);
+      if (meaning) field.explain(make("div", { className: "answer-meaning" }, meaning));
+    }
     const fields = make("div", { className: "answer-fields highlight" }, ...this.element.children);
     // shortcuts of the site, such as / for the search, are not for those who write here
     fields.addEventListener("keydown", (event) => event.ctrlKey || event.metaKey || event.stopPropagation());
@@ -48,10 +57,8 @@ export class Box {
   /** Show hints of its answers that stand in folds elsewhere on the page. */
   addHints() {
     const several = this.fields.length > 1;
-    const rows = [...document.querySelectorAll("details.answers .answer")];
     const hints = this.fields.flatMap(({ name }) => {
-      const row = rows.find((candidate) => candidate.querySelector("code").textContent === name);
-      return [...(row?.querySelectorAll("details.hint") ?? [])].map((fold) => {
+      return [...(rowOf(name)?.querySelectorAll("details.hint") ?? [])].map((fold) => {
         const copy = fold.cloneNode(true);
         copy.open = false;
         if (several) copy.firstElementChild.append(" for ", make("code", {}, name));

@@ -1,6 +1,7 @@
 /* The answer boxes of a problem's page. The page holds them hidden; without this script, or without WebAssembly, it stays as
    it is. */
 
+import { askAgain } from "./again.mjs";
 import { Box } from "./box.mjs";
 import { make } from "./elements.mjs";
 import { KEYS } from "./field.mjs";
@@ -29,12 +30,12 @@ class Page {
 
   /** The code of every answer, {name: code}. */
   answers() {
-    return Object.fromEntries(this.fields.map((field) => [field.name, field.text]));
+    return Object.fromEntries(this.fields.map((field) => [field.name, field.source]));
   }
 
   /** Show these answers, and the stubs of all others. */
   setAnswers(answers) {
-    for (const field of this.fields) field.text = answers[field.name] ?? field.stub;
+    for (const field of this.fields) field.text = answers[field.name] ?? field.shown;
   }
 
   /** Keep what was typed into a field; other boxes may have been used in another tab since this page was opened. */
@@ -59,7 +60,7 @@ class Page {
   // The notebook ----------------------------------------------------------------------------------------------------------
 
   async notebook() {
-    await loadScript(settings.notebook);
+    if (!window.workbookNotebook) await loadScript(settings.notebook);
     return window.workbookNotebook;
   }
 
@@ -114,5 +115,6 @@ const elements = [...document.querySelectorAll(".answer-box")];
 if (typeof WebAssembly === "object" && elements.length) {
   // the stubs of the student edition: the boxes hold them
   document.querySelectorAll(".cell.tag_answer").forEach((cell) => cell.closest("details") ?? cell.classList.add("answer-stub"));
-  new Page(elements);
+  const isAgain = new URLSearchParams(location.search).has("again") && !settings.part;
+  Promise.resolve(isAgain && askAgain()).then(() => new Page(elements));
 }

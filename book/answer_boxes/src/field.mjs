@@ -10,7 +10,7 @@ export class Field {
     this.name = textarea.dataset.name;
     this.former = textarea.dataset.former;
     this.cell = textarea.dataset.cell;
-    this.stub = textarea.defaultValue;
+    this.stub = this.shown = textarea.defaultValue;
     this.events = { onChange: () => onChange(this), onRun };
     textarea.addEventListener("focus", onFocus);
     textarea.addEventListener("input", () => this.changed());
@@ -35,7 +35,19 @@ export class Field {
   }
 
   get isTyped() {
-    return this.text.trim() !== this.stub.trim();
+    return ![this.stub, this.shown].includes(this.text.trim());
+  }
+
+  /** What the answer cell of the notebook holds: its stub until something is typed. */
+  get source() {
+    return this.isTyped ? this.text : this.stub;
+  }
+
+  /** Show what is asked for, formulas and all, above the field and not as a comment in it. */
+  explain(meaning) {
+    this.shown = this.stub.replace(/#.*/g, "").trim();
+    this.textarea.value = this.textarea.defaultValue = this.shown;
+    this.textarea.before(meaning);
   }
 
   changed() {

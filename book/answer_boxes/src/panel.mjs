@@ -41,6 +41,8 @@ export class AnswersPanel {
     const verified = store.readVerified()[number];
     const right = verified?.version === version ? verified.right.length : 0;
     this.verified.textContent = right ? `${right} of ${settings.answers} verified here. ` : "";
+    // topics may tell how to solve it
+    if (right === Number(settings.answers)) document.querySelector("details.topics")?.setAttribute("open", "");
   }
 
   async open(file) {

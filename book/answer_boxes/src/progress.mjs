@@ -10,7 +10,7 @@ const verified = readVerified();
 
 function mark(link) {
   const problem = verified[link.textContent.trim()];
-  if (!problem) return;
+  if (!problem?.right.length) return;
   const { answers, right } = problem;
   const isWhole = right.length === answers;
   const words = isWhole ? "verified" : `${right.length} of ${answers} verified`;
@@ -18,6 +18,8 @@ function mark(link) {
   link.after(" ", make("span", { className: "problem-verified", title: words, role: "img", ariaLabel: words }, sign));
 }
 
-document.querySelectorAll("table.problem-list td:first-child a, table.route td a, dl.topics li a").forEach(mark);
-const list = document.querySelector(".problem-verified")?.closest(".pst-scrollable-table-container, table, dl");
+document
+  .querySelectorAll("table.problem-list td:first-child a, table.route td a, dl.topics li a, .section-problems li a:first-child")
+  .forEach(mark);
+const list = document.querySelector(".problem-verified")?.closest(".pst-scrollable-table-container, table, dl, .chapter-map");
 list?.before(make("p", { className: "verified-note" }, NOTE));

@@ -23,7 +23,7 @@ async function engine() {
 /** Whole megabytes that the engine loads once. */
 export async function megabytes() {
   const { size } = await engine();
-  return Math.ceil((location.protocol === "file:" ? size.file : size.http) / 1e6);
+  return Math.round((location.protocol === "file:" ? size.file : size.http) / 1e6);
 }
 
 export async function start(onProgress) {
@@ -33,7 +33,9 @@ export async function start(onProgress) {
 /** Run the cells of a box, [{name, source}], and its check: {result, error} as `workbook.page.run_cell` and the engine return
     them. */
 export async function runCell(cells, check) {
-  return (await engine()).runCell(cells.map(({ source }) => source), check, "", LIMIT, cells.map(({ name }) => name ?? ""));
+  const run = await (await engine()).runCell(cells.map(({ source }) => source), check, "", LIMIT, cells.map(({ name }) => name ?? ""));
+  if (run.result?.patches) stop(); // the next run has the modules as they were
+  return run;
 }
 
 export const stop = () => window.workbookEngine?.stop();

@@ -58,24 +58,75 @@ export function adoptEarlierAnswers(number, version, renamed) {
   return true;
 }
 
-/** Return {number: {version, answers, right}}: how many answers a problem has, and the names of those found right. */
+/** Days after which a right answer is asked for again. */
+const INTERVALS = [1, 7, 30];
+const today = () => new Date().toLocaleDateString("sv"); // 2026-11-29
+const daysSince = (day) => (Date.parse(today()) - Date.parse(day)) / 86_400_000;
+
+/** Return {number: {version, answers, right, wrong, day, again}}: how many answers a problem has; the names of those found right,
+    and of those tried and not right; the day since which they are kept in mind, and how often they were right again since. */
 export const readVerified = () => read("verified") ?? {};
 export const writeVerified = (verified) => write("verified", verified);
 
-/** Note the last verdicts on answers of a problem, {name: status}. */
-export function noteVerdicts({ number, version, answers }, verdicts) {
+/** Whether the right answers of a problem are to be given again. */
+export const isDue = ({ right, day, again = 0 }) =>
+  right.length > 0 && again < INTERVALS.length && (!day || daysSince(day) >= INTERVALS[again]);
+
+/** Note the last verdicts on answers of a problem, {name: status}; `repeats` is the problem that it asks again. */
+export function noteVerdicts({ number, version, answers, repeats }, verdicts) {
   const verified = readVerified();
-  const right = new Set(verified[number]?.version === version ? verified[number].right : []);
+  const known = verified[number]?.version === version ? verified[number] : {};
+  const [right, wrong] = [new Set(known.right), new Set(known.wrong)];
+  let { day, again } = known;
   for (const [name, status] of Object.entries(verdicts)) {
+    if (status === "right" && !right.has(name)) [day, again] = [today(), 0];
     if (status === "right") right.add(name);
     else right.delete(name);
+    if (status === "wrong") wrong.add(name);
+    else if (status === "right") wrong.delete(name);
   }
-  if (right.size) verified[number] = { version, answers: Number(answers), right: [...right] };
+  if (right.size + wrong.size) verified[number] = { version, answers: Number(answers), right: [...right], wrong: [...wrong], day, again };
   else delete verified[number];
+  const before = verified[repeats];
+  if (before && isDue(before)) {
+    if (before.right.every((name) => right.has(name))) [before.day, before.again] = [today(), (before.again ?? 0) + 1];
+    else if (Object.values(verdicts).includes("wrong")) [before.day, before.again] = [today(), 0];
+  }
   writeVerified(verified);
 }
 
 export function forgetVerified(number) {
   const { [number]: _, ...others } = readVerified();
   writeVerified(others);
+}
+
+// Progress as a file ------------------------------------------------------------------------------------------------------
+
+const isKept = (key) => key === `${PREFIX}verified` || key.startsWith(`${PREFIX}answers/`);
+
+/** Return what this browser keeps of the reader's work as the text of a file. */
+export const exported = () =>
+  JSON.stringify({ workbook: "progress", day: today(), kept: Object.fromEntries(Object.entries(localStorage).filter(([key]) => isKept(key))) }, null, 1);
+
+/** Add the work of a file to what is kept here; of two records of one problem the one with more right answers stays. */
+export function importFrom(text, file) {
+  let kept, theirs;
+  try {
+    const content = JSON.parse(text);
+    if (content.workbook !== "progress") throw new Error();
+    kept = Object.entries(content.kept).filter(([key, value]) => isKept(key) && typeof JSON.parse(value) === "object");
+    theirs = JSON.parse(content.kept[`${PREFIX}verified`] ?? "{}");
+    if (!Object.values(theirs).every(({ right, answers }) => Array.isArray(right) && answers > 0)) throw new Error();
+  } catch {
+    throw new Error(`${file} is not a file of progress that this page wrote.`);
+  }
+  const ours = readVerified();
+  for (const [number, record] of Object.entries(theirs)) if (record.right.length >= (ours[number]?.right.length ?? 0)) ours[number] = record;
+  writeVerified(ours);
+  for (const [key, value] of kept) if (localStorage.getItem(key) === null) write(key.slice(PREFIX.length), JSON.parse(value));
+}
+
+/** Forget all of the reader's work. */
+export function forgetAll() {
+  for (const key of Object.keys(localStorage).filter(isKept)) localStorage.removeItem(key);
 }

@@ -276,7 +276,8 @@
   /* A point follows the pointer, a click into its panel, and the arrow keys (with Shift in small steps). */
   function movable(axes, part, figure, handle) {
     const limits = figure.parameters[part.moved.find((k) => k !== null)].limits;
-    set(handle, {tabindex: 0, role: "slider", "aria-label": `${part.label || "point"}, moved by the arrow keys`,
+    const names = part.moved.flatMap((k) => k === null ? [] : figure.parameters[k].label || figure.parameters[k].name);
+    set(handle, {tabindex: 0, role: "slider", "aria-label": `${part.label || names.join(", ")}, moved by the arrow keys`,
                  "aria-valuemin": limits[0], "aria-valuemax": limits[1]});
     const move = (values) => figure.move(new Map(part.moved.flatMap((k, i) => k === null ? [] : [[k, values[i]]])));
     handle.addEventListener("pointerdown", (event) => {
