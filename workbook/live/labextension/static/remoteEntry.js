@@ -4,7 +4,8 @@
    it only asks whether there is a console. Where nobody shares the module, this shares one that says no.
 
    Its Shift+Enter runs a cell and goes on to the next one, which is the next slide, before anybody has seen the result.
-   Here it runs the cell, after the unseen cells above it (imports, functions, data) that have not run.
+   Here it runs the cell, after those above it that have not run: the unseen ones (imports, functions, data), and those
+   of slides that were passed over.
 
    A slide is never empty: what has nothing to show before it has run (a picture whose code is folded, an explorer, the
    next step of an answer) runs when its slide comes.
@@ -41,10 +42,10 @@ async function run(app) {
   const {content, context} = app.shell.currentWidget;
   const {dataset} = content.activeCell.node;
   const above = content.widgets.slice(0, content.activeCellIndex);
-  const unseen = above.filter(({node, model}) => node.matches(".reveal-skip") && model.executionCount === null);
+  const waiting = above.filter(({model}) => model.type === "code" && model.executionCount === null && !model.sharedModel.source.startsWith("%"));
   dataset.state = "running";
   try {
-    await NotebookActions.runCells(content, unseen, context.sessionContext);
+    await NotebookActions.runCells(content, waiting, context.sessionContext);
     return await NotebookActions.run(content, context.sessionContext);
   } finally { dataset.state = "ran"; }
 }
