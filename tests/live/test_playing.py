@@ -35,7 +35,7 @@ MEASURED = """(() => {
   const slide = document.querySelector('section section.present'), range = document.createRange();
   let smallest = Infinity, left = innerWidth, right = 0, top = innerHeight, bottom = 0;
   for (const node of slide.querySelectorAll('*')) {
-    if (node.closest('.workbook-title') || node.parentElement.closest('mjx-container, svg:not(.explorer svg, .animation svg)')) continue;
+    if (node.closest('.workbook-title') || node.parentElement.closest('mjx-container')) continue;
     const texts = [...node.childNodes].filter(child => child.nodeType === Node.TEXT_NODE && child.data.trim());
     const picture = node.matches('img, svg, mjx-container');
     if (!picture && !texts.length) continue;
