@@ -72,9 +72,13 @@ function repeatTitle(slide) {
   slide.prepend(copy);
 }
 
+/* Where a slide is too high, the code of a cell or what it shows is made smaller, whichever is higher. */
 function shrink(node, slide) {
   const excess = slide.scrollHeight - slide.clientHeight;
-  if (excess > 0) node.style.zoom = Math.max(0.5, (node.style.zoom || 1)*(1 - excess/node.offsetHeight));
+  if (excess <= 0) return;
+  const [input, output] = [".jp-Cell-inputWrapper", ".jp-Cell-outputWrapper"].map(name => node.querySelector(name));
+  const {style, offsetHeight} = output.offsetHeight > input.offsetHeight ? output : input;
+  style.zoom = Math.max(0.5, (style.zoom || 1)*(1 - excess/offsetHeight));
 }
 
 /* Code on a slide gets its place and its size. */
@@ -144,7 +148,7 @@ function prepareSlides(app) {
     picture.closest("section").classList.toggle("workbook-tall", picture.naturalWidth < WIDEST*picture.naturalHeight);
   }, true);
   addEventListener("resize", () => {
-    document.querySelectorAll(".reveal .jp-CodeCell").forEach(({style}) => { style.zoom = ""; });
+    document.querySelectorAll(".reveal .jp-CodeCell > *").forEach(({style}) => { style.zoom = ""; });
     narrow(reveal.querySelector("section section.present"));
   });
   const notebook = document.querySelector(".reveal .jp-Notebook");
