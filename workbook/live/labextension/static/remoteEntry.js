@@ -89,12 +89,13 @@ function place(node, slide, content) {
   new ResizeObserver(() => shrink(node, slide)).observe(node);
 }
 
-/* A cell that is inserted gets a slide; where the magic that inserted it shows nothing, it takes the place of the magic. */
+/* A cell that is inserted gets a slide; where the magic that inserted it shows no text, it takes the place of the magic. */
 function addSlide(node, app) {
   const {content} = app.shell.currentWidget;
   const present = document.querySelector("section section.present");
   const magic = present.querySelector(".jp-CodeCell:not(.reveal-skip)");
-  const silent = magic && !magic.querySelector(".jp-OutputArea-child");
+  const above = content.widgets.find(widget => widget.node === magic);
+  const silent = above?.model.sharedModel.source.startsWith("%answer") && !magic.querySelector(".jp-RenderedMarkdown");
   if (silent) magic.classList.add("reveal-skip");
   const slide = silent ? present : Object.assign(document.createElement("section"), {id: `${present.id}-below`, className: "future"});
   slide.append(node);
