@@ -78,8 +78,6 @@ def start_times():
 EXPLORERS = {
     "phase_portrait 1.4": "epsilon",
     "distance_to_unobservable": "alpha",
-    "fastest_motion": "frame",
-    "circle_synthesis": "R",
     "manual_control": None,
 }
 FRAMES = 40

@@ -18,6 +18,8 @@ LIST = (
     [
         (f"# T\n\n{LONG} {LONG}", [f"# T\n\n{LONG} {LONG}"]),
         (f"{FULL} {LONG}", [FULL, LONG]),
+        # a short sentence is not left alone
+        (f"{FULL} {QUESTION}", [f"{LONG} {LONG}", f"{LONG} {QUESTION}"]),
         # the options of a vote stand below its question
         (f"{FULL} {QUESTION}\n\n{OPTIONS}", [FULL, f"{QUESTION}\n\n{OPTIONS}"]),
         # a list stays together, with the sentence above it

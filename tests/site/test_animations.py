@@ -23,7 +23,7 @@ PAGES = [
     "solutions/ch1/p10.html",
     *(
         f"book/lectures/{slug}.html"
-        for slug in ("fastest-motion", "balanced-by-an-estimate", "what-a-filter-believes")
+        for slug in ("fastest-motion", "balanced-by-an-estimate", "kalman-filter")
     ),
 ]
 AT = "Number(document.querySelector('.animation-controls input').value)"

@@ -7,6 +7,7 @@ is neither read nor changed. The server prints a line when it is ready, and stop
 input closes.
 """
 
+import itertools
 import json
 import os
 import shutil
@@ -70,11 +71,11 @@ SETTINGS = {
         "codeCellConfig": {"lineNumbers": False, "lineWrap": True},
     },
 }
-#: Extensions of the page that a lecture does not need, or that slow it down.
+#: Installed extensions of the page that a lecture needs. Others slow it down, and some of them fail
+#: on the page of slides.
+PAGE_EXTENSIONS = ("@jupyter-widgets/jupyterlab-manager", "jupyterlab-rise")
+#: Extensions of JupyterLab itself that a lecture does not need, or that slow it down.
 DISABLED_EXTENSIONS = (
-    "@jupyter/nbgrader",
-    "@jupyter-notebook/lab-extension",
-    "jupyterlab-jupytext",
     "@jupyterlab/cell-toolbar-extension",
     "@jupyterlab/debugger-extension",
     "@jupyterlab/extensionmanager-extension",
@@ -102,6 +103,8 @@ def write_settings(folder):
     dict of str
         Environment variables that point to the settings.
     """
+    from jupyter_core.paths import jupyter_path  # commands without a lecture do not need it
+
     for name, settings in SETTINGS.items():
         plugin, _, part = name.rpartition("/")
         path = folder / "settings" / plugin / f"{part}.jupyterlab-settings"
@@ -113,10 +116,12 @@ def write_settings(folder):
         json.dumps({"disabledExtensions": dict.fromkeys(DISABLED_EXTENSIONS, True)}),
         encoding="utf-8",
     )
-    shutil.copytree(
-        Path(__file__).with_name("labextension"),
-        folder / "data" / "labextensions" / "workbook-live",
-    )
+    extensions = folder / "data" / "labextensions"
+    shutil.copytree(Path(__file__).with_name("labextension"), extensions / "workbook-live")
+    for name in PAGE_EXTENSIONS:
+        installed = (Path(path) / name for path in jupyter_path("labextensions"))
+        for path in itertools.islice(filter(Path.is_dir, installed), 1):
+            shutil.copytree(path, extensions / name)
     profile = folder / "ipython" / "profile_default"
     profile.mkdir(parents=True)
     (profile / "ipython_config.py").write_text(IPYTHON_CONFIG, encoding="utf-8")
@@ -167,6 +172,8 @@ def serve(folder, port):
         preferred_dir=str(folder / "copy"),
     )
     config.LabApp.update(news_url=None, extension_manager="readonly", expose_app_in_browser=True)
+    for app in (config.LabApp, config.RiseApp):
+        app.labextensions_path = [str(folder / "data" / "labextensions")]
     config.FileContentsManager.delete_to_trash = False
     server = LabApp.initialize_server(argv=[], config=config)
     loop = server.io_loop

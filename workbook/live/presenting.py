@@ -3,6 +3,7 @@
 import json
 import os
 import secrets
+import shutil
 import signal
 import socket
 import subprocess
@@ -21,6 +22,7 @@ from workbook.live.kernel_forkserver import SOCKET, modules_of_problems
 from workbook.live.lecture_notebook import lecture_notebook
 from workbook.live.preparing import PREPARED, wait_until_prepared
 
+SLIDES_STYLE = Path(__file__).parent / "labextension" / "slides.css"
 #: Seconds in which JupyterLab answers on a slow machine.
 TIMEOUT = 60
 
@@ -108,6 +110,9 @@ def _running(folder, presentation, port, prepare):
     )
     notebook = folder / "copy" / f"{presentation.name}.ipynb"
     notebook.parent.mkdir()
+    # the page of slides asks for these styles, and a missing one is an error in its console
+    shutil.copyfile(SLIDES_STYLE, notebook.with_name("rise.css"))
+    notebook.with_suffix(".css").touch()
     log = open(folder / "log", "wb")
     processes = []
 

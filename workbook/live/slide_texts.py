@@ -6,6 +6,8 @@ from workbook.live.steps import paragraphs
 
 #: What a hall reads while somebody speaks.
 MOST_WORDS = 40
+#: A slide of fewer words gets more from the one before it.
+FEWEST_WORDS = 10
 HEADING = re.compile(r"#{1,3} [^\n]*\n*")
 FORMULA = re.compile(r"\$\$.*?\$\$|\$[^$]*\$", re.S)
 #: Blanks within a formula do not end a sentence; they stand as this meanwhile.
@@ -35,18 +37,31 @@ def slide_texts(text):
         The texts of the slides; only a sentence that has too many words itself exceeds the limit.
     """
     title = HEADING.match(text)
+    body = paragraphs(text[title.end() :] if title else text)
+    slides = _packed(body, MOST_WORDS)
+    # no short sentence is left alone: as many slides, the last of which has more of the text
+    for most in range(MOST_WORDS - 1, 0, -1):
+        shorter = _packed(body, most)
+        if not slides or word_count(slides[-1]) >= FEWEST_WORDS or len(shorter) > len(slides):
+            break
+        slides = shorter
+    if title:
+        slides[:1] = ["\n\n".join([title[0].strip(), *slides[:1]])]
+    return slides
+
+
+def _packed(body, most):
+    """Return slides of at most so many words, where the pieces of the paragraphs allow it."""
     slides = []
-    for paragraph in paragraphs(text[title.end() :] if title else text):
-        pieces = [paragraph] if word_count(paragraph) <= MOST_WORDS else _pieces(paragraph)
+    for paragraph in body:
+        pieces = [paragraph] if word_count(paragraph) <= most else _pieces(paragraph)
         for k, piece in enumerate(pieces):
             joint = "\n\n" if k == 0 else "" if piece.startswith("\n") else " "
             joined = slides[-1] + joint + piece if slides else piece
-            if slides and word_count(joined) <= MOST_WORDS:
+            if slides and word_count(joined) <= most:
                 slides[-1] = joined
             else:
                 slides.append(piece.strip())
-    if title:
-        slides[:1] = ["\n\n".join([title[0].strip(), *slides[:1]])]
     return slides
 
 

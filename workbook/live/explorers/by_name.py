@@ -40,8 +40,8 @@ def explore(words):
 
     Returns
     -------
-    workbook.display.Explorer or workbook.live.explorers.explorer.Explorer
-        A figure of formulas, or a widget that the kernel draws.
+    workbook.display.Explorer or workbook.live.explorers.kernel_figure.KernelFigure
+        A figure of formulas, or one that the kernel draws.
 
     Raises
     ------

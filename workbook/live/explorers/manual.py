@@ -8,7 +8,7 @@ import sympy as sp
 
 from trajlib import plotting
 from workbook.live.explorers.blitting import BlittedFigure
-from workbook.live.explorers.explorer import Explorer
+from workbook.live.explorers.kernel_figure import KernelFigure
 from workbook.live.worked_problem import WorkedProblem
 
 POINTS = 240
@@ -77,7 +77,7 @@ def manual_control():
                 control[span] = np.interp(span, *zip(*sorted([(before, a), (after, b)])))
 
     toggle = ipywidgets.ToggleButton(description="the best arcs")
-    return Explorer(figure, {"best_arcs": toggle}, draw, on_stroke)
+    return KernelFigure(figure, {"best_arcs": toggle}, draw, on_stroke)
 
 
 def _trajectory(state, control, step):

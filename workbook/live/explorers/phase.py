@@ -9,7 +9,7 @@ import sympy as sp
 from trajlib import plotting
 from workbook.live.errors import LiveError
 from workbook.live.explorers.blitting import BlittedFigure
-from workbook.live.explorers.explorer import Explorer, slider
+from workbook.live.explorers.kernel_figure import KernelFigure, slider
 from workbook.live.explorers.portraits import PORTRAITS
 from workbook.live.worked_problem import WorkedProblem
 
@@ -134,7 +134,7 @@ def phase_portrait(problem="1.4", item=""):
         clicked.append(points[-1])
 
     controls = {name: slider(name, *ends) for name, ends in portrait.parameters.items()}
-    return Explorer(figure, controls, draw, on_stroke)
+    return KernelFigure(figure, controls, draw, on_stroke)
 
 
 def _portrait(problem, item):

@@ -6,7 +6,7 @@ import sympy as sp
 from trajlib import plotting, structure
 from workbook.live.errors import LiveError
 from workbook.live.explorers.blitting import BlittedFigure
-from workbook.live.explorers.explorer import Explorer, nearest_value, slider
+from workbook.live.explorers.kernel_figure import KernelFigure, nearest_value, slider
 from workbook.live.worked_problem import WorkedProblem
 
 #: Range of the parameter, points of the curve, grid of the image of sigma, width of the enclosure.
@@ -102,7 +102,7 @@ def distance_to_unobservable(problem="2.5", item="g"):
         f"problem {problem}, item {item}: crosses are eigenvalues, the circle is the unobservable "
         "one of the nearest pair"
     )
-    return Explorer(figure, controls, draw, on_stroke, title=title)
+    return KernelFigure(figure, controls, draw, on_stroke, title=title)
 
 
 def _sigma(A, H, points):

@@ -1,4 +1,4 @@
-"""The widget of an explorer: a blitted figure with controls, which follows the pointer.
+"""A figure that the kernel draws, for what no formula gives: a blitted figure with controls, which follows the pointer.
 
 Clicks and strokes come from a transparent layer over the picture. Its handlers, in its own HTML,
 write the coordinates of the pointer into a hidden text field, and ipywidgets sends them to the
@@ -40,7 +40,7 @@ STYLE = """<style>
 </style>"""
 
 
-class Explorer(ipywidgets.VBox):
+class KernelFigure(ipywidgets.VBox):
     """A figure with its controls.
 
     Parameters
