@@ -9,6 +9,19 @@ from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.runge_kutta import rk4
 
 
+def statement(problem):
+    """Return the statement of a `pontryagin.Problem` as a tuple, by which a search is kept."""
+    return (
+        *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+        tuple(problem.terminal),
+        problem.running,
+        problem.final,
+        problem.duration,
+        problem.maximise,
+        problem.first_return,
+    )
+
+
 class DirectProblem:
     """The statement of a `pontryagin.Problem` at values of its parameters, `case`."""
 
