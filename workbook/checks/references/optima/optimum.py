@@ -107,7 +107,7 @@ class Optimum:
 class FastestTransfer(Optimum):
     """A fastest transfer that a formula gives, to all digits."""
 
-    MISSED = 0.0
+    MISSED, arcs = 0.0, ()
 
     def remaining_costs(self):
         """Return states on the way, and the remaining time there."""
