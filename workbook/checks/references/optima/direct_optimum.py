@@ -23,8 +23,8 @@ from workbook.checks.references.optima.direct_guesses import DirectGuesses
 from workbook.checks.references.optima.direct_problem import statement
 from workbook.checks.references.optima.direct_programme import BARRIERS, degree_of, kinds_of
 from workbook.checks.references.optima.optimum import Optimum
+from workbook.checks.references.optima.several_controls import SeveralControls
 from workbook.checks.references.optima.units import in_scaled_units
-from workbook.checks.tools.domains import sample_cases
 
 #: A free duration lies between these.
 SHORTEST, LONGEST = 1e-3, 40.0
@@ -63,15 +63,14 @@ def optima(problem, parameters=None, points=None):
 @functools.lru_cache(maxsize=64)
 def _optima(stated, parameters):
     names = tuple(symbol for symbol, _ in parameters)
-    return [
-        (dict(zip(names, case)), _search(stated, names).best(case))
-        for case in sample_cases(dict(parameters))
-    ]
+    search = _search(stated, names)
+    return [(dict(zip(names, case)), search.best(case)) for case in search.cases(dict(parameters))]
 
 
 @functools.lru_cache(maxsize=64)
 def _search(stated, names):
-    return _Search(stated, names)
+    _, controls, *_ = stated
+    return (_Search if len(controls) == 1 else SeveralControls)(stated, names)
 
 
 class _Search(DirectGuesses):
@@ -88,9 +87,9 @@ class _Search(DirectGuesses):
         low, high = (self._value(d, case) for d in pair)
         span = (SHORTEST if low is None else low, LONGEST if high is None else high)
         is_linear = all(
-            not sp.diff(f, v).free_symbols & {*self._state, self._control}
+            not sp.diff(f, v).free_symbols & {*self._state, *self._controls}
             for f in self._field
-            for v in (*self._state, self._control)
+            for v in (*self._state, *self._controls)
         )
         processes, random = [], np.random.default_rng(11)
         for side in self._sides(case):
