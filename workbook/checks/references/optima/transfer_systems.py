@@ -142,9 +142,6 @@ class HomogeneousTransfer(CoordinateTransfer):
     def _normal(self):
         return np.array(self.problem.jacobians(1.0, 1.0, 0.0)[2][0], dtype=float)
 
-    def _slopes(self, y, u):
-        return np.array(self.problem.jacobians(*y, u)[0][:-1], dtype=float)
-
     def _way(self, start, meetings=1):
         """Return the angle of the start, and its change until a meeting with the target."""
         line, theta = math.atan2(self._normal[0], -self._normal[1]), self._coordinate(start)
@@ -157,49 +154,28 @@ class HomogeneousTransfer(CoordinateTransfer):
         return True
 
     def switching_function(self, start, duration, slowest, steps=240):
-        h, y, states = (
-            duration / steps,
-            np.array(start, dtype=float),
-            [np.array(start, dtype=float)],
-        )
-        for k in range(steps):
-            y = rk4(
-                lambda t, z: self._velocity(z, self.law(z, t, start, duration, slowest)),
-                k * h,
-                y,
-                h,
-            )
-            states.append(y)
+        def law(y):
+            return self.law(y, 0, start, duration, slowest)
+
+        def field(_, y):
+            return self._velocity(y, law(y))
+
+        def extended(_, z):
+            y, psi = z[:2], z[2:]
+            slopes = np.array(self.problem.jacobians(*y, law(y))[0][:-1])
+            return np.concatenate([field(_, y), -psi @ slopes])
+
+        h, y = duration / steps, np.array(start, dtype=float)
+        for _ in range(steps):
+            y = rk4(field, 0, y, h)
         # At the end psi is normal to the target, and psi.f = 1 (-1 for the slowest) gives its
         # length.
-        u = self.law(y, duration, start, duration, slowest)
-        normal = self._normal
-        psi = normal * (-1 if slowest else 1) / (normal @ self._velocity(y, u))
-        samples = []
-        for k in range(steps, 0, -2):
-            first, middle, last = states[k], states[k - 1], states[k - 2]
-            slopes = [
-                self._slopes(z, self.law(z, 0, start, duration, slowest)).T
-                for z in (first, middle, last)
-            ]
-            samples.append(
-                (
-                    k * h,
-                    float(
-                        psi
-                        @ (
-                            self._velocity(first, self.bounds[1])
-                            - self._velocity(first, self.bounds[0])
-                        )
-                    )
-                    / (self.bounds[1] - self.bounds[0]),
-                )
-            )
-            a = slopes[0] @ psi
-            b = slopes[1] @ (psi + h * a)
-            c = slopes[1] @ (psi + h * b)
-            d = slopes[2] @ (psi + 2 * h * c)
-            psi = psi + h / 3 * (a + 2 * b + 2 * c + d)
+        psi = self._normal * (-1 if slowest else 1) / (self._normal @ field(0, y))
+        z, (low, high), samples = np.append(y, psi), self.bounds, []
+        for k in range(steps, 0, -1):
+            effect = self._velocity(z[:2], high) - self._velocity(z[:2], low)
+            samples.append((k * h, float(z[2:] @ effect) / (high - low)))
+            z = rk4(extended, 0, z, -h)
         return samples
 
     def time_message(self, start, claimed, true):
