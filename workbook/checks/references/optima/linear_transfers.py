@@ -1,4 +1,4 @@
-"""The fastest transfers of a plane linear system to the origin, by support functions."""
+"""The fastest transfers of a plane linear system to the origin, a case of `fastest_times`."""
 
 import functools
 import math

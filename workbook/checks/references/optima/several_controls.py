@@ -5,7 +5,8 @@ followed in small steps. Of many random processes those that come closest to the
 time are improved by IPOPT. Then a short arc with other controls is inserted wherever this saves
 time, as long as possible; the best process counts. Processes whose controls vary on an arc are not
 among those compared. The problem is a `pontryagin.Problem` in least time from a given start; only
-its statement is used.
+its statement is used. A verdict compares 24 processes, which takes a second here; the search for arcs
+of `direct_optimum` takes 0.3 s for each already with one control.
 """
 
 import functools
