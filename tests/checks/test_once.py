@@ -9,7 +9,8 @@ import sympy as sp
 from case import check_named
 
 from trajlib.pontryagin import Problem
-from workbook.checks.references.optima import several_controls
+from workbook.checks.references.optima import direct_optimum
+from workbook.checks.references.optima.direct_problem import statement
 
 x, y, angle = sp.symbols("x y angle")
 t, T, a, b = sp.symbols("t T a b", positive=True)
@@ -37,13 +38,9 @@ def test_what_a_search_has_made_goes_with_it():
     """A process judges many notebooks: of the searches only the last ones are kept."""
     u, v = sp.symbols("u v")
     problem = Problem({x: u, y: v}, {u: (-1, 1), v: (-1, 1)}, {x: 0, y: 0}, [x - 1, y - 2])
-    stated = (
-        *(tuple(part.items()) for part in (problem.dynamics, problem.controls, problem.initial)),
-        tuple(problem.terminal),
-    )
-    several_controls._search.cache_clear()
-    kept = weakref.ref(several_controls._search(stated, ()))
+    direct_optimum._search.cache_clear()
+    kept = weakref.ref(direct_optimum._search(statement(problem), ()))
     assert abs(kept().best([]).duration - 2) < 1e-9
-    several_controls._search.cache_clear()
+    direct_optimum._search.cache_clear()
     gc.collect()
     assert kept() is None

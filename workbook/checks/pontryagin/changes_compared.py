@@ -49,7 +49,7 @@ def _jumps(motion, values, duration):
 
 def processes_between_changes(instants, best):
     """Yield (t, state, control) of the best process between its changes and those of an answer."""
-    for j, *controls in getattr(best, "changes", list)():
+    for j, *controls in best.changes():
         for instant in instants:
             middle = (best.times[j] + instant) / 2
             step = np.clip(middle, *best.times[[j - 1, j + 1]]) - best.times[j]

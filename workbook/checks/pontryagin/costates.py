@@ -212,7 +212,7 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
 
     For the fastest transfers H = 0 implies it.
     """
-    for j, *kinds in getattr(best, "changes", list)():
+    for j, *kinds in best.changes():
         if None in kinds:
             continue
         t, y = best.times[j], np.append(best.states[:, j], 0)

@@ -201,7 +201,7 @@ def _require_same_changes(sections, best, where):
     """
     times, changes = best.times, [begin for begin, *_ in sections[1:]]
     slack = CONTROL_ACCURACY * (best.bounds[1] - best.bounds[0])
-    for j, before, after in getattr(best, "changes", list)():
+    for j, before, after in best.changes():
         if before is None or after is None:
             continue
         around = values_of(sections, times[[j - 1, j + 1]])
@@ -238,7 +238,7 @@ def _gradual_change_time(sections, first, before, last, after, slack, duration):
 def _require_continuous_changes(sections, perturbed, best, values, where):
     """Raise `Wrong` for a control that jumps where the best one meets a bound without a jump."""
     low, high = best.bounds
-    for j, before, after in getattr(best, "changes", list)():
+    for j, before, after in best.changes():
         if (before is None) == (after is None):
             continue
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]

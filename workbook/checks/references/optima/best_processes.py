@@ -1,17 +1,14 @@
 """The best processes of a `pontryagin.Problem`, found without the maximum principle.
 
 Of a transfer in least or greatest time of a kind known to `transfer_optima` or `thrust_optima` the
-optimum has a formula or a search of its own; of any other problem it comes from `direct_optimum`,
-or, with more than one control, from `several_controls`, which gives durations and arcs alone. The
-others give it with the same attributes: `duration`, `cost`, `times`, `states` (a column for each
-time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`, `units`. All search in the
-units of `units.scaled_problem`; a constant of the cost is in none of these numbers.
+optimum has a formula or a search of its own; of any other problem it comes from `direct_optimum`.
+All are an `optimum.Optimum`; with more than one control it has `duration` and `arcs` alone. All search
+in the units of `units.scaled_problem`; a constant of the cost is in none of their numbers.
 """
 
 from trajlib._arguments.symbols import join_names
 from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.optima.direct_optimum import optima
-from workbook.checks.references.optima.several_controls import optima as optima_of_several
 from workbook.checks.references.optima.thrust_optima import thrust_optima
 from workbook.checks.references.optima.transfer_optima import SAMPLES, Transfer, Unknown
 from workbook.checks.references.optima.units import in_scaled_units
@@ -48,8 +45,6 @@ def best_processes(problem, parameters=None, count=SAMPLES):
 @in_scaled_units
 def best_processes_at(problem, parameters, points=None):
     """Return pairs (point, optimum) at points, dicts from the parameters to numbers, or at samples."""
-    if len(problem.controls) > 1:
-        return optima_of_several(problem, parameters, points)
     pairs = thrust_optima(problem, parameters, points)
     return optima(problem, parameters, points) if pairs is None else pairs
 

@@ -19,12 +19,12 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.direct_guesses import DirectGuesses
-from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, degree_of, kinds_of
-from workbook.checks.references.optima.radau import integrals
-from workbook.checks.references.optima.units import Units, in_scaled_units
-from workbook.checks.tools.domains import sample_cases
+from workbook.checks.references.optima.direct_problem import statement
+from workbook.checks.references.optima.direct_programme import BARRIERS, degree_of, kinds_of
+from workbook.checks.references.optima.optimum import Optimum
+from workbook.checks.references.optima.several_controls import SeveralControls
+from workbook.checks.references.optima.units import in_scaled_units
 
 #: A free duration lies between these.
 SHORTEST, LONGEST = 1e-3, 40.0
@@ -32,8 +32,6 @@ SHORTEST, LONGEST = 1e-3, 40.0
 FIXED = (8.0, 16.0, 32.0, 4.0)
 #: A least cost that was found twice, up to this, is not searched for any longer.
 TWICE = 1e-6
-#: Which part of the duration an arc has to take to be one.
-SHORT = 1e-4
 #: An arc that takes a smaller part of the duration came out as none: where the control acts late, as at
 #: the beginning of a motion, the cost grows with the cube of its length, so no smaller one is found.
 EMPTY = 1e-5
@@ -41,8 +39,6 @@ EMPTY = 1e-5
 STARTS = 6
 #: Up to what two costs are the same.
 SAME = 1e-9
-#: Terms of a cost that are smaller than this count as so large: a least cost may be zero.
-SMALLEST = 1e-3
 
 
 @in_scaled_units
@@ -58,15 +54,7 @@ def optima(problem, parameters=None, points=None):
     points : list of dict, optional
         Values of the parameters instead.
     """
-    stated = (
-        *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
-        tuple(problem.terminal),
-        problem.running,
-        problem.final,
-        problem.duration,
-        problem.maximise,
-        problem.first_return,
-    )
+    stated = statement(problem)
     if points is None:
         return _optima(stated, tuple((parameters or {}).items()))
     return [(point, _search(stated, tuple(point)).best(tuple(point.values()))) for point in points]
@@ -75,104 +63,14 @@ def optima(problem, parameters=None, points=None):
 @functools.lru_cache(maxsize=64)
 def _optima(stated, parameters):
     names = tuple(symbol for symbol, _ in parameters)
-    return [
-        (dict(zip(names, case)), _search(stated, names).best(case))
-        for case in sample_cases(dict(parameters))
-    ]
+    search = _search(stated, names)
+    return [(dict(zip(names, case)), search.best(case)) for case in search.cases(dict(parameters))]
 
 
 @functools.lru_cache(maxsize=64)
 def _search(stated, names):
-    return _Search(stated, names)
-
-
-class Optimum:
-    """An optimal process.
-
-    It has `cost`, `duration`, `times` after the start with `states` (n rows) and `controls` there, and
-    `arcs`: triples (value, begin, end), the value being None where the control is not constant. The
-    last entry of `start` and of `field(y, u)` belongs to the integral of the running cost.
-    """
-
-    #: To what share the cost is known next to parameters for which an arc vanishes: a short one may
-    #: be missed.
-    MISSED, units = 5e-4, Units()
-
-    def __init__(self, search, case, cost, times, states, controls, arcs):
-        self.cost, self.duration, self.controls, self.arcs = cost, times[-1], controls, arcs
-        self.times, self.states, self.start = times[1:], states[:, 1:], np.append(states[:, 0], 0.0)
-        self.bounds = search.bounds(case)
-        self._search, self._case = search, case
-
-    def changes(self):
-        """Return where arcs follow one another: (index of time, value before, value after).
-
-        A value is None for a control that is not constant.
-        """
-        long = [arc for arc in self.arcs if arc[2] - arc[1] > SHORT * self.duration]
-        return [
-            (
-                int(np.argmin(abs(self.times - (previous[2] + following[1]) / 2))),
-                previous[0],
-                following[0],
-            )
-            for previous, following in itertools.pairwise(long)
-            if previous[0] is None or previous[0] != following[0]
-        ]
-
-    def remaining_costs(self):
-        """Return states away from changes and the last arc, and the remaining cost there."""
-        degree = FINE[1]
-        rates = np.array(
-            [self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)]
-        )
-        steps = np.diff(np.append(0, self.times[degree - 1 :: degree]))
-        parts = (
-            np.einsum("ij,kj->ki", integrals(degree), rates.reshape(-1, degree)) * steps[:, None]
-        )
-        accumulated_cost = (parts + np.append(0, np.cumsum(parts[:, -1])[:-1])[:, None]).ravel()
-        borders = [self.times[j] for j, *_ in self.changes()]
-        keep = self.times < max(borders, default=0)
-        for border in borders:
-            keep &= abs(self.times - border) > 1e-3 * self.duration
-        return self.states[:, keep], (self.cost - accumulated_cost)[keep]
-
-    def jacobians(self, y, u):
-        """Return derivatives in the states: of `field`, (n + 1) x n, of the final cost, of the gap."""
-        return [
-            np.array(matrix, dtype=float) for matrix in self._search.jacobians(*y, u, *self._case)
-        ]
-
-    def field(self, y, u):
-        """Return the rates of the states and of the cost."""
-        return np.array(self._search.rates(*y[:-1], u, *self._case), dtype=float)
-
-    def gap(self, y):
-        """Return what vanishes at the end."""
-        return np.array(self._search.gap(*y[:-1], *self._case), dtype=float)
-
-    def total(self, y):
-        """Return the cost of a process that ends in y."""
-        return float(y[-1] + self._search.final(*y[:-1], *self._case))
-
-    def duration_message(self, duration):
-        """Return the text on a wrong duration."""
-        return "the best process found " + directed(
-            "ends earlier" if duration > self.duration else "ends later", "does not end then"
-        )
-
-    def size(self):
-        """Return the size of the states."""
-        return float(max(1e-9, np.abs(self.states).max()))
-
-    def cost_size(self):
-        """Return the size of the terms of the cost, which may cancel."""
-        ends = [
-            abs(self._search.final(*y, *self._case))
-            for y in (self.states[:, 0], self.states[:, -1])
-        ]
-        rates = [self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)]
-        return float(max(SMALLEST, abs(self.cost), *ends, np.abs(rates).mean() * self.duration))
+    _, controls, *_ = stated
+    return (_Search if len(controls) == 1 else SeveralControls)(stated, names)
 
 
 class _Search(DirectGuesses):
@@ -189,9 +87,9 @@ class _Search(DirectGuesses):
         low, high = (self._value(d, case) for d in pair)
         span = (SHORTEST if low is None else low, LONGEST if high is None else high)
         is_linear = all(
-            not sp.diff(f, v).free_symbols & {*self._state, self._control}
+            not sp.diff(f, v).free_symbols & {*self._state, *self._controls}
             for f in self._field
-            for v in (*self._state, self._control)
+            for v in (*self._state, *self._controls)
         )
         processes, random = [], np.random.default_rng(11)
         for side in self._sides(case):

@@ -7,10 +7,27 @@ import sympy as sp
 
 from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.tools.domains import sample_cases
+
+
+def statement(problem):
+    """Return the statement of a `pontryagin.Problem` as a tuple, by which a search is kept."""
+    return (
+        *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
+        tuple(problem.terminal),
+        problem.running,
+        problem.final,
+        problem.duration,
+        problem.maximise,
+        problem.first_return,
+    )
 
 
 class DirectProblem:
     """The statement of a `pontryagin.Problem` at values of its parameters, `case`."""
+
+    #: The values of the parameters at which answers are tried.
+    cases = staticmethod(sample_cases)
 
     def __init__(self, stated, parameters):
         (
@@ -25,7 +42,8 @@ class DirectProblem:
             returns,
         ) = stated
         self._state, self._field = zip(*dynamics)
-        ((self._control, self._bounds),) = controls
+        self._controls, bounds = zip(*controls)
+        self._bounds = tuple(zip(*bounds))
         self._initial, self._terminal = [value for _, value in initial], terminal
         self._sign, self._returns, self._parameters = (
             (-1 if maximise else 1),
@@ -34,7 +52,7 @@ class DirectProblem:
         )
         ends = [*self._state, *parameters]
         self.rates = sp.lambdify(
-            [*self._state, self._control, *parameters], [*self._field, self._running], "math"
+            [*self._state, *self._controls, *parameters], [*self._field, self._running], "math"
         )
         self.gap = sp.lambdify(ends, list(terminal), "math")
         self.final = sp.lambdify(ends, self._final, "math")
@@ -42,18 +60,25 @@ class DirectProblem:
             sp.Matrix(rows).jacobian(self._state).tolist() if rows else []
             for rows in ([*self._field, self._running], [self._final], list(terminal))
         ]
-        self.jacobians = sp.lambdify([*self._state, self._control, *parameters], parts, "math")
+        self.jacobians = sp.lambdify([*self._state, *self._controls, *parameters], parts, "math")
         self._programmes = {}
-        self._bounded = [b is not None and b.is_finite is not False for b in self._bounds]
+        self._bounded = [
+            all(b is not None and b.is_finite is not False for b in side) for side in self._bounds
+        ]
         #: Each |u| becomes an unknown that is not less than u and -u.
         self._absolute = sorted(sp.Add(self._running, *self._field).atoms(sp.Abs), key=str)
         #: Whether a control between the bounds may pay because of the cost of its square.
-        self._curved = any(sp.diff(e, self._control, 2) != 0 for e in (self._running, *self._field))
+        self._curved = any(
+            sp.diff(e, u, 2) != 0 for e in (self._running, *self._field) for u in self._controls
+        )
 
     def bounds(self, case):
-        """Return the bounds of the control, infinite if there is none."""
-        low, high = (self._value(bound, case) for bound in self._bounds)
-        return (-np.inf if low is None else low), (np.inf if high is None else high)
+        """Return the bounds of the control, infinite if there is none; of several controls in arrays."""
+        low, high = (
+            [infinite if bound is None else self._value(bound, case) for bound in side]
+            for side, infinite in zip(self._bounds, (-np.inf, np.inf))
+        )
+        return (low[0], high[0]) if len(low) == 1 else (np.array(low), np.array(high))
 
     def _value(self, expression, case):
         return (
@@ -101,13 +126,13 @@ class DirectProblem:
     @functools.cached_property
     def casadi_functions(self):
         y, p = ca.SX.sym("y", len(self._state)), ca.SX.sym("p", len(self._parameters))
-        u, a = ca.SX.sym("u"), ca.SX.sym("a", len(self._absolute))
+        u, a = ca.SX.sym("u", len(self._controls)), ca.SX.sym("a", len(self._absolute))
         names = {e: sp.Dummy() for e in self._absolute}
-        symbols = [*self._state, self._control, *self._parameters, *names.values()]
+        symbols = [*self._state, *self._controls, *self._parameters, *names.values()]
 
         def function(name, arguments, expressions):
             values = sp.lambdify(symbols, [sp.sympify(e).xreplace(names) for e in expressions], ca)
-            results = values(*ca.vertsplit(y), u, *ca.vertsplit(p), *ca.vertsplit(a))
+            results = values(*(part for vector in (y, u, p, a) for part in ca.vertsplit(vector)))
             return ca.Function(name, arguments, [ca.vertcat(ca.SX(0, 1), *results)])
 
         return (

@@ -1,4 +1,4 @@
-"""The fastest transfers of a plane linear system to the origin, by support functions."""
+"""The fastest transfers of a plane linear system to the origin, a case of `fastest_times`."""
 
 import functools
 import math
@@ -18,7 +18,7 @@ class LinearTransfer(TransferSystem):
 
     Time runs back here: the states that can be brought to the origin within T are those that
     x' = -Ax - bu reaches from there, and they only grow with T. The least times are those of
-    `fastest_times`, to more digits.
+    `fastest_times`, to ten digits.
     """
 
     DIRECTIONS = 720
@@ -53,40 +53,7 @@ class LinearTransfer(TransferSystem):
         batch = FastestTimes(self._back, ConvexTarget.points(x)).solve(
             np.zeros_like(x), case, far=True
         )
-        time, angle, reached = batch.time, batch.angle, np.isfinite(batch.time)
-        time[reached], angle[reached] = self._refined(x[reached], time[reached], angle[reached])
-        self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
-
-    def _refined(self, x, time, angle, step=1e-6):
-        """Refine least times and angles to about ten digits, by Newton's iteration."""
-
-        def miss(time, angle):
-            return self._back.farthest(directions(angle), time, -1) - x
-
-        def slopes(time, angle):
-            return np.stack(
-                [
-                    miss(time + step, angle) - miss(time - step, angle),
-                    miss(time, angle + step) - miss(time, angle - step),
-                ],
-                axis=2,
-            ) / (2 * step)
-
-        refined_time, refined_angle = time, angle
-        for _ in range(5):
-            # Without a switching the end does not depend on the angle, and the least step leaves
-            # the angle as it is.
-            change = np.einsum(
-                "nij,nj->ni",
-                np.linalg.pinv(slopes(refined_time, refined_angle), rcond=1e-9),
-                miss(refined_time, refined_angle),
-            )
-            refined_time, refined_angle = refined_time - change[:, 0], refined_angle - change[:, 1]
-        improved = np.linalg.norm(miss(refined_time, refined_angle), axis=1) <= np.linalg.norm(
-            miss(time, angle), axis=1
-        )
-        accepted = improved & (abs(refined_time - time) < 1e-3 * time)
-        return np.where(accepted, refined_time, time), np.where(accepted, refined_angle, angle)
+        self._found.update(zip(starts, zip(batch.time.tolist(), batch.angle.tolist())))
 
     def holds(self, start):
         """Return whether some time suffices, up to the precision of the grid of directions."""

@@ -40,9 +40,4 @@ def radau(degree):
 @functools.lru_cache
 def integrals(degree):
     """Return integrals from 0 to the Radau points of polynomials that are 1 at one of them."""
-    points = radau(degree)[0][1:]
-    basis = [
-        np.poly1d(np.delete(points, j), True) / np.prod(points[j] - np.delete(points, j))
-        for j in range(degree)
-    ]
-    return np.array([[np.polyval(np.polyint(p), point) for p in basis] for point in points])
+    return np.linalg.inv(radau(degree)[1][:, 1:])

@@ -2,7 +2,7 @@
 
 A law is optimal or not on both sides of a switching curve, and a set of starts is right or wrong at
 its border; so the starts next to these lines are the most informative, and they are found by
-bisection between neighbours that differ.
+bisection between neighbours that differ. The optima themselves are those of `fastest_times`.
 """
 
 import functools

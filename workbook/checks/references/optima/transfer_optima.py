@@ -21,6 +21,7 @@ import sympy as sp
 from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.natural_units import COST, TIME, natural_units
 from workbook.checks.references.optima import reach
+from workbook.checks.references.optima.direct_problem import statement
 from workbook.checks.references.optima.linear_transfers import LinearTransfer
 from workbook.checks.references.optima.transfer_systems import (
     HomogeneousTransfer,
@@ -85,7 +86,7 @@ class Transfer:
             )
         (self.control,), self.bounds = problem.controls, bounds
         self._in_units(problem)
-        self._decided, self._found = _cached_results(self._key())
+        self._decided, self._found = _cached_results(statement(problem), tuple(self.parameters))
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
             self._kind = ScalarTransfer
@@ -181,19 +182,6 @@ class Transfer:
             )
             samples += [(values, self.at(values)) for values in near if self.solvable(values)]
         return samples
-
-    def _key(self):
-        return (
-            tuple(self.dynamics.items()),
-            self.control,
-            tuple(self.bounds),
-            tuple(self.initial),
-            tuple(self.terminal),
-            tuple(self.parameters),
-            self.slowest,
-            self._units.cost,
-            self._constant,
-        )
 
     def solvable(self, values):
         """Return whether the target can be reached; None for a start that lies on it."""
@@ -306,7 +294,7 @@ def _without_factors(problem):
 
 
 @functools.lru_cache(maxsize=64)
-def _cached_results(key):
+def _cached_results(stated, parameters):
     """Return the cached reachability of starts of a transfer, and its samples, for all answers."""
     return {}, {}
 

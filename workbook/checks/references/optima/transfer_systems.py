@@ -1,14 +1,25 @@
-"""Systems whose fastest transfer to a target has a formula: one state, and homogeneous ones."""
+"""Fastest transfers to a target that have a formula, since one coordinate decides.
+
+Its rate depends on the coordinate and the control alone: it is the only state, or the angle of a
+state in the plane, where the system is homogeneous of first degree. The fastest transfer gives it the
+greatest rate towards the target, so that the time is an integral over the coordinate, for any number
+of meetings with the target and next to zero too; `direct_optimum` has no such transfers.
+"""
 
 import functools
+import itertools
 import math
 
 import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.direction import directed
+from workbook.checks.references.optima.direct_problem import DirectProblem
+from workbook.checks.references.optima.optimum import FastestTransfer
 from workbook.checks.references.optima.runge_kutta import rk4
-from workbook.checks.references.optima.units import Units
+
+#: At so many instants a process is sampled, and steps of the integration between two of them.
+INSTANTS, STEPS = 37, 12
 
 
 class TransferSystem:
@@ -16,95 +27,91 @@ class TransferSystem:
 
     def __init__(self, state, control, field, bounds, terminal):
         self.bounds = tuple(map(float, bounds))
-        symbols = [*state, control]
-        self._field = sp.lambdify(symbols, field, "math")
-        self._jacobian = sp.lambdify(
-            symbols, sp.Matrix(field).jacobian(list(state)).tolist(), "math"
+        self.problem = DirectProblem(
+            (
+                tuple(zip(state, field)),
+                ((control, bounds),),
+                tuple((x, None) for x in state),
+                tuple(terminal),
+                sp.S.One,
+                sp.S.Zero,
+                None,
+                False,
+                False,
+            ),
+            (),
         )
-        self._gap = sp.lambdify(list(state), terminal, "math")
-        self._normals = np.array(sp.Matrix(terminal).jacobian(list(state)), dtype=float)
-
-    def field(self, y, u):
-        return np.array(self._field(*y, u), dtype=float)
-
-    def jacobian(self, y, u):
-        return np.array(self._jacobian(*y, u), dtype=float)
-
-    def gap(self, y):
-        """Return what vanishes on the target."""
-        return np.array(self._gap(*y), dtype=float)
-
-    def normals(self):
-        return self._normals
 
     def foresee(self, starts):
         """Find the optima from many starts at once, where that is quicker than one by one."""
 
-    def path(self, start, duration, slowest, count):
-        times = duration * (np.arange(count) + 0.37) / count
-        states, controls, y, t = [], [], np.array(start, dtype=float), 0.0
-        for target in times:
-            y = self._advance(y, t, target, start, duration, slowest)
-            t = target
-            states.append(y)
-            controls.append(self.law(y, t, start, duration, slowest))
-        return times, states, controls
-
-    def _advance(self, y, begin, end, start, duration, slowest, steps=12):
-        breaks = [t for t in self.breaks(start, duration) if begin < t < end]
-        for left, right in zip([begin, *breaks], [*breaks, end]):
-            h = (right - left) / steps
-            for k in range(steps):
-                middle = left + (k + 0.5) * h
-                y = rk4(
-                    lambda s, z: self.field(z, self.law(z, middle, start, duration, slowest)),
-                    left + k * h,
-                    y,
-                    h,
-                )
-        return y
-
     def breaks(self, start, duration):
+        """Return the times at which the control switches, where it does so at known ones."""
         return []
 
 
-class ScalarTransfer(TransferSystem):
-    """One state: everything depends on the rate towards the target."""
-
-    def _target(self):
-        slope, gap_at_zero = self._normals[0, 0], self.gap([0.0])[0]
-        return -gap_at_zero / slope
-
-    def _rate(self, x, direction):
-        return max(direction * self.field([x], u)[0] for u in self.bounds)
-
-    def possible(self, start):
-        begin, end = float(start[0]), self._target()
-        direction = np.sign(end - begin)
-        return all(self._rate(x, direction) > 0 for x in np.linspace(begin, end, 100))
+class CoordinateTransfer(TransferSystem):
+    """A system with a coordinate whose rate depends on it and the control alone."""
 
     def duration(self, start, slowest, meetings):
         from scipy.integrate import quad
 
-        if slowest or meetings != 1:
-            raise RuntimeError("with one state only the fastest transfer is known")
-        begin, end = float(start[0]), self._target()
-        direction = np.sign(end - begin)
-        if direction == 0:
+        begin, way = self._way(start, meetings)
+        if not way:
             return 0.0
         if not self.possible(start):
             return math.inf
+        sense, extreme = math.copysign(1, way), min if slowest else max
         return quad(
-            lambda x: 1 / self._rate(x, direction),
-            *sorted((begin, end)),
+            lambda a: 1 / extreme(sense * rate for rate in self._rates(begin + sense * a)),
+            0,
+            abs(way),
             epsabs=0,
             epsrel=1e-11,
-            limit=200,
+            limit=400,
         )[0]
 
     def law(self, y, t, start, duration, slowest):
-        direction = np.sign(self._target() - float(start[0]))
-        return max(self.bounds, key=lambda u: direction * self.field(y, u)[0])
+        rates = self._rates(self._coordinate(y))
+        speeds = math.copysign(1, self._way(start)[1]) * np.array(rates)
+        return self.bounds[(np.argmin if slowest else np.argmax)(speeds)]
+
+    def _velocity(self, y, u):
+        return np.array(self.problem.rates(*y, u)[:-1], dtype=float)
+
+
+class ScalarTransfer(CoordinateTransfer):
+    """One state, which is the coordinate."""
+
+    def _coordinate(self, y):
+        return y[0]
+
+    def _rates(self, x):
+        return [self._velocity([x], u)[0] for u in self.bounds]
+
+    def _way(self, start, meetings=1):
+        """Return the coordinate at the start, and its change on the way to the target."""
+        (gap,), slope = self.problem.gap(0.0), self._slope
+        return float(start[0]), -gap / slope - float(start[0])
+
+    @functools.cached_property
+    def _slope(self):
+        return float(self.problem.jacobians(0.0, 0.0)[2][0][0])
+
+    def possible(self, start):
+        begin, way = self._way(start)
+        return all(
+            max(np.sign(way) * np.array(self._rates(x))) > 0
+            for x in np.linspace(begin, begin + way, 100)
+        )
+
+    def duration(self, start, slowest, meetings):
+        if slowest or meetings != 1:
+            raise RuntimeError("with one state only the fastest transfer is known")
+        return super().duration(start, slowest, meetings)
+
+    def switchings(self, start, duration):
+        return 0
 
     def time_message(self, start, claimed, true):
         return "moving towards the target as fast as the bounds allow, the state " + directed(
@@ -112,19 +119,16 @@ class ScalarTransfer(TransferSystem):
             "does not arrive just then",
         )
 
-    def switchings(self, start, duration):
-        return 0
 
+class HomogeneousTransfer(CoordinateTransfer):
+    """Two states, homogeneous of degree one: the angle theta is the coordinate."""
 
-class HomogeneousTransfer(TransferSystem):
-    """Two states, homogeneous of degree one: the angle theta obeys an equation of its own."""
-
-    def possible(self, start):
-        return True
+    def _coordinate(self, y):
+        return math.atan2(y[1], y[0])
 
     def _rates(self, theta):
         c, s = math.cos(theta), math.sin(theta)
-        return [c * f[1] - s * f[0] for f in (self.field((c, s), u) for u in self.bounds)]
+        return [c * f[1] - s * f[0] for f in (self._velocity((c, s), u) for u in self.bounds)]
 
     @functools.cached_property
     def _sense(self):
@@ -134,75 +138,44 @@ class HomogeneousTransfer(TransferSystem):
             raise RuntimeError("the direction does not turn in one sense for all controls")
         return math.copysign(1, rates[0])
 
-    def _angle(self, start, meetings):
-        """Return the angle from the start to the meeting with the target, in the sense of turning."""
-        normal = self._normals[0]
-        line = math.atan2(normal[0], -normal[1])
-        theta = math.atan2(start[1], start[0])
+    @functools.cached_property
+    def _normal(self):
+        return np.array(self.problem.jacobians(1.0, 1.0, 0.0)[2][0], dtype=float)
+
+    def _way(self, start, meetings=1):
+        """Return the angle of the start, and its change until a meeting with the target."""
+        line, theta = math.atan2(self._normal[0], -self._normal[1]), self._coordinate(start)
         first = (self._sense * (line - theta)) % math.pi
-        return (math.pi if first < 1e-12 or first > math.pi - 1e-12 else first) + math.pi * (
-            meetings - 1
-        )
+        if first < 1e-12 or first > math.pi - 1e-12:
+            first = math.pi
+        return theta, self._sense * (first + math.pi * (meetings - 1))
 
-    def _speed(self, theta, slowest):
-        return (min if slowest else max)(map(abs, self._rates(theta)))
-
-    def duration(self, start, slowest, meetings):
-        from scipy.integrate import quad
-
-        theta, sense = math.atan2(start[1], start[0]), self._sense
-        angle = self._angle(start, meetings)
-        return quad(
-            lambda a: 1 / self._speed(theta + sense * a, slowest),
-            0,
-            angle,
-            epsabs=0,
-            epsrel=1e-11,
-            limit=400,
-        )[0]
-
-    def law(self, y, t, start, duration, slowest):
-        rates = [abs(r) for r in self._rates(math.atan2(y[1], y[0]))]
-        return self.bounds[(np.argmin if slowest else np.argmax)(rates)]
+    def possible(self, start):
+        return True
 
     def switching_function(self, start, duration, slowest, steps=240):
-        h, y, states = (
-            duration / steps,
-            np.array(start, dtype=float),
-            [np.array(start, dtype=float)],
-        )
-        for k in range(steps):
-            y = rk4(
-                lambda t, z: self.field(z, self.law(z, t, start, duration, slowest)), k * h, y, h
-            )
-            states.append(y)
+        def law(y):
+            return self.law(y, 0, start, duration, slowest)
+
+        def field(_, y):
+            return self._velocity(y, law(y))
+
+        def extended(_, z):
+            y, psi = z[:2], z[2:]
+            slopes = np.array(self.problem.jacobians(*y, law(y))[0][:-1])
+            return np.concatenate([field(_, y), -psi @ slopes])
+
+        h, y = duration / steps, np.array(start, dtype=float)
+        for _ in range(steps):
+            y = rk4(field, 0, y, h)
         # At the end psi is normal to the target, and psi.f = 1 (-1 for the slowest) gives its
         # length.
-        u = self.law(y, duration, start, duration, slowest)
-        normal = self._normals[0]
-        psi = normal * (-1 if slowest else 1) / (normal @ self.field(y, u))
-        samples = []
-        for k in range(steps, 0, -2):
-            first, middle, last = states[k], states[k - 1], states[k - 2]
-            slopes = [
-                self.jacobian(z, self.law(z, 0, start, duration, slowest)).T
-                for z in (first, middle, last)
-            ]
-            samples.append(
-                (
-                    k * h,
-                    float(
-                        psi
-                        @ (self.field(first, self.bounds[1]) - self.field(first, self.bounds[0]))
-                    )
-                    / (self.bounds[1] - self.bounds[0]),
-                )
-            )
-            a = slopes[0] @ psi
-            b = slopes[1] @ (psi + h * a)
-            c = slopes[1] @ (psi + h * b)
-            d = slopes[2] @ (psi + 2 * h * c)
-            psi = psi + h / 3 * (a + 2 * b + 2 * c + d)
+        psi = self._normal * (-1 if slowest else 1) / (self._normal @ field(0, y))
+        z, (low, high), samples = np.append(y, psi), self.bounds, []
+        for k in range(steps, 0, -1):
+            effect = self._velocity(z[:2], high) - self._velocity(z[:2], low)
+            samples.append((k * h, float(z[2:] @ effect) / (high - low)))
+            z = rk4(extended, 0, z, -h)
         return samples
 
     def time_message(self, start, claimed, true):
@@ -218,17 +191,13 @@ class HomogeneousTransfer(TransferSystem):
         )
 
 
-class TransferOptimum:
-    """The fastest or slowest transfer from a start, like a `direct_optimum.Optimum`.
-
-    The last entry of `start` and `field` is the time that has passed.
-    """
-
-    units = Units()
+class TransferOptimum(FastestTransfer):
+    """The fastest or slowest transfer from a start."""
 
     def __init__(self, system, start, slowest, meetings=1):
         self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
         self.start, self.bounds = np.append(start, 0.0), system.bounds
+        self._problem, self._case = system.problem, ()
 
     @functools.cached_property
     def duration(self):
@@ -247,50 +216,45 @@ class TransferOptimum:
 
     def size(self):
         """Return the size of the states of this transfer."""
-        return (
-            float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
-        )
-
-    def remaining_costs(self):
-        """Return states on the way, and the remaining time there."""
-        return self.states, self.duration - self.times
+        return float(np.linalg.norm(self.begin) + np.linalg.norm(self.gap(self.start))) or 1.0
 
     def duration_message(self, duration):
         return self.system.time_message(self.begin, duration, self.duration)
-
-    def switchings(self):
-        return self.system.switchings(self.begin, self.duration)
 
     def breaks(self):
         """Return the times at which the control switches."""
         return self.system.breaks(self.begin, self.duration)
 
+    def switchings(self):
+        """Return how often the control switches."""
+        return self.system.switchings(self.begin, self.duration)
+
     def switching_function(self):
         """Return pairs (time, dH/du), the costate being followed back from the end."""
         return self.system.switching_function(self.begin, self.duration, self.slowest)
 
-    def field(self, y, u):
-        return np.append(self.system.field(y[:-1], u), 1.0)
-
-    def gap(self, y):
-        return self.system.gap(y[:-1])
-
-    def total(self, y):
-        return float(y[-1])
-
-    def jacobians(self, y, u):
-        n = len(y)
-        return (
-            np.vstack([self.system.jacobian(y, u), np.zeros(n)]),
-            np.zeros((1, n)),
-            self.system.normals(),
-        )
+    def _law(self, y, t):
+        return self.system.law(y, t, self.begin, self.duration, self.slowest)
 
     @functools.cached_property
     def _path(self):
         """Times, states and controls along the optimum, at instants away from the switchings."""
-        return self.system.path(self.begin, self.duration, self.slowest, 37)
+        times = self.duration * (np.arange(INSTANTS) + 0.37) / INSTANTS
+        states, controls, y, begin = [], [], np.array(self.begin, dtype=float), 0.0
+        for end in times:
+            breaks = [t for t in self.breaks() if begin < t < end]
+            for left, right in itertools.pairwise([begin, *breaks, end]):
+                h = (right - left) / STEPS
+                for k in range(STEPS):
+                    t = left + (k + 0.5) * h
+                    y = rk4(
+                        lambda _, z, t=t: self.field(np.append(z, 0), self._law(z, t))[:-1], t, y, h
+                    )
+            states.append(y)
+            controls.append(self._law(y, end))
+            begin = end
+        return times, np.array(states).T, controls
 
     times = property(lambda self: self._path[0])
-    states = property(lambda self: np.array(self._path[1]).T)
+    states = property(lambda self: self._path[1])
     controls = property(lambda self: self._path[2])

@@ -186,6 +186,11 @@ def _ends(problem):
     return problem.duration if isinstance(problem.duration, tuple) else (problem.duration,)
 
 
+def _in_units_of(name, unit):
+    """Return a property of an optimum: a number or an array, times its unit."""
+    return property(lambda self: np.asarray(getattr(self._best, name)) * unit(self))
+
+
 class OptimumInUnits:
     """An optimum that was found in scaled units, in those of the statement.
 
@@ -207,29 +212,15 @@ class OptimumInUnits:
         """The units of the states and of the cost."""
         return np.append(np.ones(len(self._best.start) - 1) * self.units.states, self.units.cost)
 
-    @property
-    def duration(self):
-        return self._best.duration * self.units.time
-
-    @property
-    def cost(self):
-        return self._best.cost * self.units.cost
-
-    @property
-    def times(self):
-        return np.asarray(self._best.times) * self.units.time
+    duration = _in_units_of("duration", lambda self: self.units.time)
+    cost = _in_units_of("cost", lambda self: self.units.cost)
+    times = _in_units_of("times", lambda self: self.units.time)
+    controls = _in_units_of("controls", lambda self: self.units.control)
+    start = _in_units_of("start", lambda self: self._sizes)
 
     @property
     def states(self):
         return (np.asarray(self._best.states).T * self.units.states).T
-
-    @property
-    def controls(self):
-        return np.asarray(self._best.controls) * self.units.control
-
-    @property
-    def start(self):
-        return self._best.start * self._sizes
 
     @property
     def bounds(self):
@@ -247,10 +238,10 @@ class OptimumInUnits:
         return [t * self.units.time for t in self._best.breaks()]
 
     def changes(self):
-        """Return where arcs follow one another, as `direct_optimum.Optimum.changes` does."""
+        """Return where arcs follow one another, as `optimum.Optimum.changes` does."""
         return [
             (k, *(None if u is None else u * self.units.control for u in kinds))
-            for k, *kinds in getattr(self._best, "changes", list)()
+            for k, *kinds in self._best.changes()
         ]
 
     def remaining_costs(self):
@@ -272,7 +263,7 @@ class OptimumInUnits:
         return self._best.total(self._scaled_state(y)) * self.units.cost
 
     def jacobians(self, y, u):
-        """Return derivatives in the states, as `direct_optimum.Optimum.jacobians` does."""
+        """Return derivatives in the states, as `optimum.Optimum.jacobians` does."""
         states, sizes = self._sizes[:-1], self._sizes
         field, final, gap = self._best.jacobians(np.asarray(y) / states, u / self.units.control)
         return (
