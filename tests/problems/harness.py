@@ -6,7 +6,7 @@ import traceback
 
 from call_recorder import recorded_calls, recording_codes
 
-from workbook.authoring.judged_problem import JudgedProblem, data_of, worked_answers
+from workbook.authoring.judged_problem import JudgedProblem, data_of, encoded, worked_answers
 
 #: What `_pace` is on the quiet machine that the limits of verdicts are for.
 PACE = 0.155
@@ -21,7 +21,7 @@ def solve(master):
     data = data_of(master)
     with recorded_calls(SOLVERS, from_answers) as called:
         answers = worked_answers(master, data)
-    return {"answers": answers, "called": sorted(called)}
+    return {"answers": encoded(answers), "called": sorted(called)}
 
 
 def first_verdicts(master, answers):

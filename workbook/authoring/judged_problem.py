@@ -133,11 +133,16 @@ def data_of(master):
 
 
 def worked_answers(master, data):
-    """Return the worked answers of a master by name, encoded as text, given `data_of` it."""
+    """Return the worked answers of a master by name, given `data_of` it."""
     namespace = dict(data)
     for source in master.code("answer"):
         execute(source, "answer", namespace)
-    return {name: encode(namespace[name]).decode() for name in master.answers}
+    return {name: namespace[name] for name in master.answers}
+
+
+def encoded(answers):
+    """Return answers by name, encoded as text."""
+    return {name: encode(value).decode() for name, value in answers.items()}
 
 
 def execute(source, role, namespace):

@@ -11,7 +11,7 @@ import os
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 
-from workbook.authoring.judged_problem import JudgedProblem, data_of, worked_answers
+from workbook.authoring.judged_problem import JudgedProblem, data_of, encoded, worked_answers
 from workbook.authoring.mutants import mutants
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
@@ -140,7 +140,7 @@ def _quietly(function, *args):
 
 
 def _solved(master):
-    return worked_answers(master, data_of(master))
+    return encoded(worked_answers(master, data_of(master)))
 
 
 def _found(master, answers):
