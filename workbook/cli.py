@@ -5,7 +5,6 @@ Each command imports what it needs, so that the others start without SymPy.
 
 import gc
 import json
-import re
 import sys
 from datetime import datetime
 from functools import partial
@@ -15,12 +14,15 @@ from typing import Annotated
 import typer
 from rich.table import Table
 
+from workbook import course
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading import cli as grading
 from workbook.notebooks import exercises
-from workbook.terminal import AsJson, UserError, console
+from workbook.notebooks.origin import marks_of, why_foreign
+from workbook.numbering import read_number
+from workbook.terminal import AsJson, CourseCommands, CourseFolder, UserError, console
 
-app = typer.Typer(
+app = CourseCommands(
     help="The executable workbook on controlled motion: its problems, solutions and checks.",
     no_args_is_help=True,
     add_completion=False,
@@ -32,9 +34,19 @@ COLOURS = {RIGHT: "green", WRONG: "red", MISSING: "yellow", INVALID: "magenta", 
 
 
 @app.command()
-def problems(as_json: AsJson = False):
+def problems(
+    only_course: Annotated[
+        bool, typer.Option("--only-course", help="Leave out the workbook's own.")
+    ] = False,
+    as_json: AsJson = False,
+):
     """List the problems: number, section, level, title."""
-    listed = [exercise.about for exercise in exercises.read_all()]
+    homes = course.courses()
+    if only_course and len(homes) == 1:
+        raise UserError(
+            "there is no course here: work in its folder, or name it by --course FOLDER"
+        )
+    listed = [exercise.about for exercise in exercises.read_all(homes[-only_course:])]
     if as_json:
         keys = ("number", "title", "section", "level", "topics", "answers")
         _print_json([{key: about[key] for key in keys} for about in listed])
@@ -56,15 +68,13 @@ def solve(
     number: Annotated[str, typer.Argument(help='A problem such as "1.15".')],
     as_json: AsJson = False,
 ):
-    """Run the worked solution of a problem (in a checkout) and print its answers and verdicts."""
+    """Run the worked solution of a problem (where its master is); print answers and verdicts."""
     from workbook.authoring import read
     from workbook.checks.contract.decoding import describe_encoded
     from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)
-    master_path = (
-        exercises.CHECKOUT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md"
-    )
+    master_path = exercises.master_path(number)
     if not master_path.exists():
         raise UserError(
             f"the solution of {number} is not here: solutions are only in a checkout of the "
@@ -103,7 +113,7 @@ def check(
     """Run your notebook and judge its answers. The exit code is 0 if all are right, otherwise 1."""
     from workbook.notebooks.execution import EndedEarly, TimeLimit, judge, run_notebook
 
-    if not notebook.exists() and re.fullmatch(r"\d+\.\d+", str(notebook)):
+    if not notebook.exists() and read_number(notebook):
         exercises.notebook_path(notebook)  # raises UnknownExercise for another number
         raise UserError(
             f"check reads a notebook of yours, the file in which you answered problem {notebook}; "
@@ -111,6 +121,8 @@ def check(
         )
     submitted = exercises.read(notebook)
     pristine = exercises.find(submitted.number)
+    if foreign := why_foreign(marks_of(submitted.about), pristine):
+        raise UserError(f"{notebook} is not judged: {foreign}")
     sources = pristine.sources_to_run([source for _, source in submitted.cells])
     try:
         run = run_notebook(
@@ -156,42 +168,88 @@ def write_exercises(
     to: Annotated[Path | None, typer.Option(help="Folder to put fresh notebooks into.")] = None,
     as_json: AsJson = False,
 ):
-    """Put student notebooks into a folder (--to), or regenerate them (in a checkout)."""
+    """Put student notebooks into a folder (--to), or write those of masters here anew."""
     if to is not None:
         changed = [str(path) for path in _copy_exercises(to, numbers)]
         summary = _copied_text(changed)
-    elif (exercises.CHECKOUT / "solutions").is_dir():
+    elif homes := _homes_with_masters(numbers):
         from workbook import authoring
 
         changed = [
-            str(path.relative_to(exercises.CHECKOUT))
-            for path in authoring.write_exercises(exercises.CHECKOUT, numbers or ())
+            str(path.relative_to(home.folder))
+            for home, own in homes.items()
+            for path in authoring.write_exercises(home.folder, own)
         ]
         summary = "\n".join(changed) or "all notebooks are in step with their masters"
     else:
         raise UserError(
             "there are no masters here; workbook exercises --to my-folder gives you notebooks to "
-            "work on"
+            "work on, and workbook new --course my-course begins a course of your own"
         )
     print(json.dumps({"changed": changed}) if as_json else summary)
 
 
-@app.command(name="new")
+@typer.Typer.command(app, name="new")  # its --course may be a folder that is no course yet
 def new_problem(
-    number: Annotated[str, typer.Argument(help='Number of the new problem, such as "2.30".')],
+    number: Annotated[
+        str,
+        typer.Argument(help='Number of the new problem, such as "rob.2"; with --course optional.'),
+    ] = "",
+    folder: CourseFolder = None,
 ):
-    """Begin a problem (in a checkout): write a page and its trials, to be filled in."""
+    """Begin a problem: write a page and its trials. Or begin a course, with one problem in it."""
     from workbook import authoring
 
-    solutions = exercises.CHECKOUT / "solutions"
-    if not solutions.is_dir():
-        raise UserError("there are no masters here: run this in a checkout of the workbook")
+    if not number and folder is None:
+        raise UserError(
+            "give the number of the problem, such as rob.2, or --course FOLDER to begin a course"
+        )
+    if folder is not None and not number:
+        try:
+            paths, number = authoring.new_course(folder)
+        except (FileExistsError, ValueError) as error:
+            raise UserError(error) from None
+        print("\n".join(map(str, paths)))
+        print(f"a course with one problem; prove it by: workbook prove --course {folder} {number}")
+        return
+    if folder is not None:
+        course.enter(folder)
+    home = exercises.home_of(number) if read_number(number) else course.WORKBOOK
     try:
-        paths = authoring.new_problem(solutions, number)
+        paths = authoring.new_problem(home.solutions, number)
     except (ValueError, FileExistsError) as error:
         raise UserError(error) from None
-    print("\n".join(str(path.relative_to(exercises.CHECKOUT)) for path in paths))
-    print(f"replace what says PLACEHOLDER, and try it by: make test-problem N={number}")
+    print("\n".join(str(path.relative_to(home.folder)) for path in paths))
+    print(f"replace what says PLACEHOLDER, and try it by: workbook prove {number}")
+
+
+@app.command()
+def prove(
+    numbers: Annotated[
+        list[str] | None,
+        typer.Argument(help="Only these problems; default: all of the course."),
+    ] = None,
+    as_json: AsJson = False,
+):
+    """Prove problems: their checks take what is right, and refuse each wrong trial."""
+    from workbook import authoring
+
+    homes = _homes_with_masters(numbers)
+    if not homes:
+        raise UserError("there are no masters here: run this in a course or a checkout")
+    proofs = {
+        master.number: authoring.prove(master)
+        for home, own in homes.items()
+        for master in _masters(home, own)
+    }
+    if as_json:
+        _print_json({number: vars(proof) for number, proof in proofs.items()})
+    else:
+        for number, proof in proofs.items():
+            console.print(f"{number}: {proof.summary}", markup=False, highlight=False)
+            for fault in proof.faults:
+                console.print(f"  {fault}", markup=False, style="yellow")
+    raise typer.Exit(1 if any(proof.faults for proof in proofs.values()) else 0)
 
 
 @app.command()
@@ -201,22 +259,16 @@ def variants(
     ] = None,
     as_json: AsJson = False,
 ):
-    """Prove that the other numbers of problems can be handed out (in a checkout)."""
-    from workbook import authoring
-    from workbook.authoring.contract import master_file
+    """Prove that the other numbers of problems can be handed out (where their masters are)."""
     from workbook.authoring.variants import prove
 
-    solutions = exercises.CHECKOUT / "solutions"
-    if not solutions.is_dir():
-        raise UserError("there are no masters here: run this in a checkout of the workbook")
-    masters = (
-        [authoring.read(solutions / master_file(number)) for number in numbers]
-        if numbers
-        else authoring.read_all(solutions)
-    )
+    homes = _homes_with_masters(numbers)
+    if not homes:
+        raise UserError("there are no masters here: run this in a checkout or in a course")
     proofs = {
-        master.number: list(prove(exercises.CHECKOUT, master.number))
-        for master in masters
+        master.number: list(prove(home.folder, master.number))
+        for home, own in homes.items()
+        for master in _masters(home, own)
         if master.numbers or numbers
     }
     if as_json:
@@ -333,8 +385,10 @@ def live(
         bool, typer.Option("--prepare", help="Compute everything first, so that no step waits.")
     ] = False,
 ):
-    """Open a problem or a lecture in JupyterLab for a class, on a copy (in a checkout)."""
+    """Open a problem or a lecture in JupyterLab for a class, on a copy (where its master is)."""
     from workbook.live import LiveError, find_presentation, lectures, present
+
+    course.pinned()  # kernels have another working folder
 
     if keep is not None and discard:
         raise UserError("give either --keep or --discard")
@@ -363,7 +417,7 @@ def main():
     """Run the command; errors of the user end in one line on stderr and exit code 2."""
     try:
         app()
-    except (UserError, exercises.UnknownExercise) as error:
+    except (UserError, exercises.UnknownExercise, course.CourseError) as error:
         _exit_with(error)
     except ValueError as error:
         # imported only where a ValueError was raised
@@ -383,6 +437,25 @@ def main():
     finally:
         # keeps the garbage collector from traversing all that is imported when the process exits
         gc.freeze()
+
+
+def _homes_with_masters(numbers):
+    """Return {course: numbers} of problems; without numbers that of the nearest masters, []."""
+    if not numbers:
+        homes = [home for home in course.courses() if home.solutions.is_dir()]
+        return {homes[-1]: []} if homes else {}
+    homes = {}
+    for number in numbers:
+        homes.setdefault(exercises.home_of(number), []).append(number)
+    return {home: own for home, own in homes.items() if home.solutions.is_dir()}
+
+
+def _masters(home, numbers):
+    from workbook import authoring
+
+    if not numbers:
+        return authoring.read_all(home.solutions)
+    return [authoring.read(exercises.master_path(number)) for number in numbers]
 
 
 def _exit_with(error):

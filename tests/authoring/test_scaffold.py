@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 from workbook.authoring import new_problem, read
-from workbook.authoring.scaffold import LAST_PRINTED
-from workbook.authoring.student_notebook import ADDED
 from workbook.authoring.trials import trials_file
+from workbook.course import ADDED, LAST_PRINTED
 
 SECTIONS = {"ch2/p05.md": "§2.2", "ch2/p31.md": "§2.5"}
 

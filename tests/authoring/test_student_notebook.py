@@ -10,10 +10,10 @@ import pytest
 
 from trajlib import __version__
 from workbook.authoring import Links, MasterError, read
-from workbook.authoring.contract import master_file
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.student_notebook import WIDTH, student_notebook
 from workbook.notebooks import exercises
+from workbook.numbering import read_number
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -79,7 +79,7 @@ def test_the_last_cell_names_chapters_of_equations():
         ("3.25", "(2.6)", "decomposition"),
     ):
         *others, last = student_notebook(
-            read(ROOT / "solutions" / master_file(number)), Links(ROOT)
+            read(ROOT / "solutions" / read_number(number).file(".md")), Links(ROOT)
         )["cells"]
         assert any(reference in cell["source"] for cell in others)
         assert re.search(
@@ -92,7 +92,9 @@ def test_the_last_cell_names_chapters_of_equations():
 
 
 def test_lines_of_code_fit_a_notebook():
-    cells = student_notebook(read(ROOT / "solutions" / master_file("1.15")), Links(ROOT))["cells"]
+    cells = student_notebook(
+        read(ROOT / "solutions" / read_number("1.15").file(".md")), Links(ROOT)
+    )["cells"]
     lines = [
         line
         for cell in cells
@@ -106,7 +108,7 @@ def test_links_need_the_address_of_the_site(links, tmp_path):
     """`../../_build/html` is nowhere on a student's machine."""
     for base in ("", "https://example.org/course/"):
         for number in ("1.15", "2.5", "5.3"):
-            master = read(ROOT / "solutions" / master_file(number))
+            master = read(ROOT / "solutions" / read_number(number).file(".md"))
             cells = student_notebook(master, Links(ROOT, base))["cells"]
             matches = [
                 address

@@ -10,13 +10,14 @@ import pytest
 import sympy as sp
 
 from workbook.authoring import Links, MasterError, master_paths, read
-from workbook.authoring.contract import master_file
 from workbook.authoring.numbers import NumbersError, phrases, read_numbers, row_texts, with_row
 from workbook.authoring.student_notebook import baseurl, student_notebook
 from workbook.authoring.trials import numbers_section, read_trials, trials_file
 from workbook.authoring.variants import Variants, prove, variants_of
+from workbook.course import WORKBOOK
 from workbook.mistakes import find_mistake
 from workbook.notebooks import exercises
+from workbook.numbering import read_number
 
 ROOT = Path(__file__).resolve().parents[2]
 #: Seen in the trials: to read all masters would take every process of the tests seconds before its
@@ -26,7 +27,7 @@ VARYING = [
     for path in master_paths(ROOT / "solutions")
     if numbers_section(trials_file(path))
 ]
-MASTER = read(ROOT / "solutions" / master_file("2.4"))
+MASTER = read(ROOT / "solutions" / "ch2/p04.md")
 ROWS = "weight, friction, stiffness = [(1, 3, 2), (2, 7, 10)]\n"
 ANSWERS = """\
 p, q = sorted(-root for root in b_matrix.eigenvals())
@@ -39,7 +40,7 @@ b_unobservable_states = {p: [[1, -p]], q: [[1, -q]]}
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """A folder for variants of its own."""
-    monkeypatch.setattr(exercises, "VARIANTS", tmp_path / "variants")
+    monkeypatch.setattr(type(WORKBOOK), "variants", tmp_path / "variants")
     return tmp_path / "variants"
 
 
@@ -217,7 +218,7 @@ def test_a_proof_is_kept_until_something_behind_it_changes(checkout, folder, mon
     monkeypatch.setattr("workbook.authoring.variants.Child", None)  # which proves
     assert list(prove(root, "2.4")) == [first]
     monkeypatch.undo()
-    monkeypatch.setattr(exercises, "VARIANTS", folder)
+    monkeypatch.setattr(type(WORKBOOK), "variants", folder)
     page = root / "solutions" / "ch2" / "p04.md"
     page.write_text(page.read_text("utf-8") + "\n", encoding="utf-8")
     notebook = folder / "ch2" / "p04~1.ipynb"
@@ -238,7 +239,7 @@ def test_names_of_variants(folder):
 
 @pytest.mark.parametrize("number", VARYING)
 def test_row_0_gives_the_students_notebook_back_letter_by_letter(number):
-    master = read(ROOT / "solutions" / master_file(number))
+    master = read(ROOT / "solutions" / read_number(number).file(".md"))
     notebook = student_notebook(Variants(master).variant(0), Links(ROOT, baseurl(ROOT)))
     written = master.exercise.read_text(encoding="utf-8")
     assert json.dumps(notebook, indent=1, ensure_ascii=False) + "\n" == written

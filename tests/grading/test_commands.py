@@ -20,6 +20,7 @@ from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe
+from workbook.course import WORKBOOK
 from workbook.grading import commands
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
@@ -246,8 +247,8 @@ def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, messag
 def changed_workbook(tmp_path, monkeypatch):
     """Exercises in a copy whose check cells `change(problem, old, new)` changes."""
     copy = tmp_path / "workbook"
-    shutil.copytree(exercises.folder(), copy)
-    monkeypatch.setattr(exercises, "folder", lambda: copy)
+    shutil.copytree(WORKBOOK.exercises, copy)
+    monkeypatch.setattr(type(WORKBOOK), "exercises", copy)
 
     def change(problem, old, new):
         path = exercises.find(problem).path

@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment
 
 from workbook.checks.contract.verdict import Verdict
+from workbook.course import WORKBOOK
 from workbook.grading import commands
 from workbook.grading.course import course, ledger
 from workbook.grading.course.assignment import InputError
@@ -334,7 +335,7 @@ def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypat
     notebook_path = tmp_path / "ch1" / "p15.ipynb"
     notebook_path.parent.mkdir()
     text = exercises.find("1.15").path.read_text(encoding="utf-8")
-    monkeypatch.setattr(exercises, "folder", lambda: tmp_path)
+    monkeypatch.setattr(type(WORKBOOK), "exercises", tmp_path)
     notebook_path.write_text(text, encoding="utf-8")
     first = exercises.find("1.15")
     assert exercises.find("1.15") is first

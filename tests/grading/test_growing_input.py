@@ -10,6 +10,7 @@ from workbook.grading.course import objections, submissions, text_cells
 from workbook.grading.sandbox import limited_process, preloading, sanitising, submitted_file
 from workbook.grading.sandbox.submitted_file import Reader, UnreadableFileError
 from workbook.notebooks import exercises
+from workbook.numbering import number_of_name
 
 #: Texts of half a million characters on which a careless pattern begins again at each character.
 LENGTH = 500_000
@@ -36,7 +37,7 @@ TEXTS = {
 READERS = {
     "hash of a text cell": submitted_file.text_hash,
     "names in text": submitted_file.ASSIGNED_NAME.findall,
-    "number of a name": submitted_file.number_of_name,
+    "number of a name": number_of_name,
     "sanitise": sanitising.sanitise,
     "cells to run": lambda text: exercises.find("1.15").sources_to_run([text]),
     "libraries": lambda text: preloading.modules_for(["1.15"], [text]),

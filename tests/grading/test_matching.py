@@ -12,6 +12,7 @@ from classroom import an_assignment, hand_in
 from workbook.grading.course import course, matching, submissions
 from workbook.grading.gradescope import autograder
 from workbook.grading.sandbox import submitted_file
+from workbook.numbering import number_of_name
 
 
 def without_metadata(path):
@@ -133,7 +134,7 @@ def test_a_file_that_cannot_be_read_on_gradescope_is_reported(tmp_path, monkeypa
     ],
 )
 def test_names(name, number):
-    assert submitted_file.number_of_name(name) == number
+    assert number_of_name(name) == number
 
 
 def hands_in(folder, **problems):

@@ -18,7 +18,6 @@ from classroom import an_assignment, graded
 
 from trajlib.typesetting import plain
 from workbook.authoring import read, read_all
-from workbook.authoring.contract import master_file
 from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
@@ -36,6 +35,7 @@ from workbook.grading.reports.summary import summary
 from workbook.grading.sandbox.limits import Outcome
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
+from workbook.numbering import read_number
 
 ROOT = Path(__file__).resolve().parents[2]
 HOMEWORK = 'title = "Homework <1>"\nproblems = ["1.15", "1.17"]\ndue = 2026-10-01T12:00:00Z\n'
@@ -275,7 +275,10 @@ def at_the_ends():
 
 @pytest.mark.parametrize("number", at_the_ends())
 def test_messages_on_wrong_answers_give_nothing_away(number):
-    master, exercise = read(ROOT / "solutions" / master_file(number)), exercises.find(number)
+    master, exercise = (
+        read(ROOT / "solutions" / read_number(number).file(".md")),
+        exercises.find(number),
+    )
     reference = run_notebook(master.code("data", "answer"), master.answers)
     wrong = [trial.source for trial in master.trials["wrong"]]
     run = run_notebook([*master.code("data", "answer"), *wrong], master.answers)
@@ -372,7 +375,7 @@ def test_named_mistakes_are_on_both_pages(store, homework):
             judged.answers,
             [],
         )
-    master = read(ROOT / "solutions" / master_file("1.15"))
+    master = read(ROOT / "solutions" / read_number("1.15").file(".md"))
     first_sentence, other_sentence = (
         mistake_sentence(master, master.trials["wrong"][k]) for k in (0, 5)
     )

@@ -19,10 +19,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_18, hand_in, notebook
 
 from workbook.authoring import read
-from workbook.authoring.student_notebook import SETUP
+from workbook.authoring.student_notebook import setup
 from workbook.authoring.trials import read_trials, trials_file
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.cli import app
+from workbook.course import WORKBOOK
 from workbook.grading.course import course
 from workbook.grading.course.store import Store
 from workbook.grading.sandbox.limits import Limits, SandboxUnavailableError
@@ -30,6 +31,8 @@ from workbook.grading.sandbox.wasm import compiled, guest
 from workbook.grading.sandbox.wasm.wasm_sandbox import WasmSandbox, guest_files
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import Child, EndedEarly, in_child
+
+SETUP = setup(WORKBOOK)
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(1800)]  # the first test may have to compile
 ROOT = Path(__file__).resolve().parents[2]

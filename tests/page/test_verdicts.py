@@ -14,8 +14,8 @@ import pytest
 from engine_page import ROOT, literal
 
 from workbook.authoring import read
-from workbook.authoring.contract import master_file
 from workbook.notebooks import exercises
+from workbook.numbering import read_number
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 HERE = Path(__file__).parent
@@ -32,7 +32,7 @@ ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
 @functools.cache
 def task(number):
     """Return the arguments of `judging.judged_problem`."""
-    problem = read(ROOT / "solutions" / master_file(number))
+    problem = read(ROOT / "solutions" / read_number(number).file(".md"))
     roles = ("data", "answer", "check")
     cells = [(cell.role, cell.source) for cell in problem.cells if cell.role in roles]
     trials = [

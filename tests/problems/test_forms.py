@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 import scipy.sparse
 import sympy as sp
-from forms import forms
-from harness import JudgedProblem, solve
+from harness import solve
 
 from workbook.authoring import read
+from workbook.authoring.forms import forms
+from workbook.authoring.judged_problem import JudgedProblem
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.traversal import EncodingError
 from workbook.notebooks import exercises

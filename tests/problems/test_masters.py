@@ -18,14 +18,13 @@ from adversarial.tables import rows_of
 from call_recorder import recorded_calls
 from harness import SOLVERS, each_part, first_verdicts, from_checks, solve
 from hostile_values import judge_hostile_values
-from mutants import mutants
 from oracles import is_right
 from recovery import COINCIDENT, DEFINED, EVALUABLE, FACTORS, NUMBERS, OWN, borrowed, recovered
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
 
-from workbook.authoring import master_paths, read
+from workbook.authoring import master_paths, proof, read
 from workbook.authoring.mistakes import answer_type_of, mistake_sentence, seal_mistakes
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
@@ -190,10 +189,6 @@ def test_the_untouched_copy_is_missing(master):
     assert result_of(master, "untouched") == dict.fromkeys(master.answers, "missing")
 
 
-def _untouched(problem):
-    return {name: v.status for name, v in problem.judge({}).items()}
-
-
 def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
     tried = {trial.name for trial in master.trials["wrong"]}
     assert tried == set(master.answers), "every answer needs a wrong trial"
@@ -212,38 +207,20 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
 
 
 def _wrong(problem):
-    """Judge wrong trials: one half of the answers is wrong, then the other, in every way.
-
-    The rest stay right, which is verified in the first turn.
-    """
-    trials, changed, order = {}, [], list(problem.master.answers)
-    for trial in _values(problem, "wrong"):
-        trials.setdefault(trial["answer"], []).append(trial)
-    for half in (order[::2], order[1::2]):
-        for turn in range(max((len(trials[name]) for name in half if name in trials), default=0)):
-            tried = {name: trials[name][turn] for name in half if turn < len(trials.get(name, ()))}
-            values = {name: trial["value"] for name, trial in tried.items()}
-            for name, verdict in problem.judge_among_right(
-                tried if turn else order, values
-            ).items():
-                if name in tried:
-                    tried[name].update(
-                        status=verdict.status,
-                        message=verdict.message,
-                        numbers=_other_numbers(verdict.message, tried[name]["value"]),
-                        revealed=_revealed_numbers(
-                            problem.reference[name], tried[name]["value"], verdict.message
-                        ),
-                    )
-                elif verdict.status != "right":
-                    changed.append(
-                        f"{name} is {verdict.status} beside "
-                        f"{[trial['comment'] for trial in tried.values()]}"
-                    )
-    return {
-        "trials": [_as_data(trial) for name in trials for trial in trials[name]],
-        "changed": changed,
-    }
+    """Return the wrong trials with their verdicts, and what these disclose."""
+    trials, changed = proof.wrong_trials(problem)
+    for trial in trials:
+        right, value, message = (
+            problem.reference[trial["answer"]],
+            trial["value"],
+            trial["verdict"].message,
+        )
+        trial.update(
+            reference=f"= {right}",
+            numbers=_other_numbers(message, value),
+            revealed=_revealed_numbers(right, value, message),
+        )
+    return {"trials": list(map(_as_data, trials)), "changed": changed}
 
 
 def _other_numbers(message, answer):
@@ -325,15 +302,14 @@ def test_every_form_of_an_answer_is_right(master):
 
 
 def _forms(problem):
-    tried, refused = {}, []
-    for name, text in _encoded(problem).items():
-        others = problem.forms(name, decode(text.encode()))
-        tried[name] = list(others)
-        for form, value in others.items():
-            verdict = problem.judge_one(name, value)
-            if verdict.status != "right":
-                refused.append(f"{name}, {form}: {value}: {verdict.status}: {verdict.message}")
-    return {"tried": tried, "refused": refused}
+    tried, refused = proof.forms_refused(problem)
+    return {
+        "tried": tried,
+        "refused": [
+            f"{name}, {form}: {value}: {verdict.status}: {verdict.message}"
+            for name, form, value, verdict in refused
+        ],
+    }
 
 
 def test_right_trials_are_right(master):
@@ -341,11 +317,7 @@ def test_right_trials_are_right(master):
 
 
 def _right(problem):
-    trials = _values(problem, "right")
-    for trial in trials:
-        verdict = problem.judge_one(trial["answer"], trial["value"])
-        trial.update(status=verdict.status, message=verdict.message)
-    return list(map(_as_data, trials))
+    return list(map(_as_data, proof.right_trials(problem)))
 
 
 def test_decimals_count_to_three_digits(master):
@@ -448,21 +420,12 @@ def _known(problem, name, value, text):
     return known
 
 
-def _values(problem, role):
-    """Return the trials of a role, each with the value of its answer."""
-    return [
-        {
-            "answer": trial.name,
-            "comment": trial.comment,
-            "value": value,
-            "reference": f"= {problem.reference[trial.name]}",
-        }
-        for trial, value in zip(problem.master.trials[role], problem.given(role))
-    ]
-
-
 def _as_data(trial):
-    return {key: text for key, text in trial.items() if key != "value"}
+    verdict = trial["verdict"]
+    return {key: trial[key] for key in trial if key not in ("value", "verdict")} | {
+        "status": verdict.status,
+        "message": verdict.message,
+    }
 
 
 def test_mutants_pass_only_if_proved_right(master, record_property):
@@ -484,18 +447,17 @@ def _mutants(problem):
         "without value": 0,
         "accepted": [],
     }
-    for name, reference in problem.reference.items():
-        check, arguments, options = problem.check_arguments(name)
+    for name, mutant, verdict in proof.small_changes(problem):
         kind = problem.master.answers[name].kind
-        for mutant in mutants(reference, kind):
-            right = is_right(mutant, reference, check, arguments, options, kind)
-            verdict = problem.judge_one(name, mutant)
-            result["count"] += 1
-            result["equivalent"] += right
-            if verdict.status == "right" and not right:
-                result["passed"].append(f"{name} = {mutant}")
-            if verdict.status != "right" and right:
-                result["refused"].append(f"{name} = {mutant}: {verdict.status}: {verdict.message}")
+        right = is_right(mutant, problem.reference[name], *problem.check_arguments(name), kind)
+        result["count"] += 1
+        result["equivalent"] += right
+        if verdict.status == "right" and not right:
+            result["passed"].append(f"{name} = {mutant}")
+        if verdict.status != "right" and right:
+            result["refused"].append(f"{name} = {mutant}: {verdict.status}: {verdict.message}")
+    for name, reference in problem.reference.items():
+        _, arguments, options = problem.check_arguments(name)
         # Not one of these is a value, so no oracle is asked: each has to be told that it is none,
         # and not left unchecked.
         for what, mutant in undefined_variants(reference, [*arguments, *options.values()]):
@@ -549,7 +511,7 @@ def test_odd_answers_are_judged_and_no_example_is_right(master):
 
 PARTS = {
     "reference": _reference,
-    "untouched": _untouched,
+    "untouched": proof.untouched,
     "wrong": _wrong,
     "forms": _forms,
     "right": _right,

@@ -7,13 +7,14 @@ in `make test`, of all of them, in all units, where WORKBOOK_ALL_PROBLEMS is set
 import os
 
 import pytest
-from harness import JudgedProblem, check_calls, solve
+from harness import solve
 from rescaling import CHANGES, NoRule
 from rescaling_rules import RULES, rescaled
 from test_masters import PATHS
 
 from workbook import checks
 from workbook.authoring import read
+from workbook.authoring.judged_problem import JudgedProblem, call_nodes
 from workbook.notebooks.execution import in_child
 
 pytestmark = pytest.mark.slow
@@ -48,7 +49,7 @@ def test_each_check_of_the_chapter_has_a_rule_or_a_reason():
         check.func.attr
         for path in CHAPTER.values()
         for source in read(path).code("check")
-        for check in check_calls(source).values()
+        for check in call_nodes(source).values()
     }
     assert asked == (RULES.keys() | NOT_RESCALED.keys()) & asked
     assert not NOT_RESCALED.keys() & RULES.keys() and not NOT_RESCALED.keys() - asked

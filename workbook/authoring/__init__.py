@@ -9,7 +9,8 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "scaffold": ["new_problem"],
+        "scaffold": ["new_course", "new_problem"],
+        "proof": ["Proof", "prove"],
         "errors": ["MasterError"],
         "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
         "trials": ["Trial"],

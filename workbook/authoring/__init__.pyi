@@ -7,6 +7,9 @@ from workbook.authoring.master import Master as Master
 from workbook.authoring.master import master_paths as master_paths
 from workbook.authoring.master import read as read
 from workbook.authoring.master import read_all as read_all
+from workbook.authoring.proof import Proof as Proof
+from workbook.authoring.proof import prove as prove
+from workbook.authoring.scaffold import new_course as new_course
 from workbook.authoring.scaffold import new_problem as new_problem
 from workbook.authoring.student_notebook import write_exercises as write_exercises
 from workbook.authoring.trials import Trial as Trial

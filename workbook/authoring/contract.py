@@ -4,11 +4,11 @@ import ast
 import re
 from collections import Counter
 from difflib import get_close_matches
-from pathlib import Path
 
 from workbook.authoring.errors import MasterError
 from workbook.authoring.statements import assigned_names
 from workbook.checks.contract.check_cells import reported_names
+from workbook.numbering import number_of_file, read_number
 
 TYPES = (
     "number",
@@ -45,12 +45,6 @@ SOLUTION = re.compile(r"\{solution-(start|end)\}")
 FORMS = {str: "a text", list: "a list", dict: "names with what belongs to each"}
 
 
-def master_file(number):
-    """Return the file of a problem below solutions/: ch1/p15.md for 1.15."""
-    chapter, _, problem = number.partition(".")
-    return Path(f"ch{chapter}") / f"p{problem:0>2}.md"
-
-
 def validate_front_matter(path, front, lines):
     """Raise `MasterError` for a part of the front matter that is missing or malformed.
 
@@ -75,16 +69,11 @@ def validate_front_matter(path, front, lines):
             f"problem: needs {', '.join(FIELDS)} and no more, but perhaps core; look at {field}",
             field,
         )
-    number = front["number"]
+    number = read_number(front["number"]) if isinstance(front["number"], str) else None
+    require(number and not number.row, 'problem.number is to be quoted, "1.15"', "number")
     require(
-        isinstance(number, str) and re.fullmatch(r"\d+\.\d+", number),
-        'problem.number is to be quoted, "1.15"',
-        "number",
-    )
-    expected_file = master_file(number)
-    require(
-        Path(path.parent.name, path.name) == expected_file,
-        f"problem {number} belongs into {expected_file}",
+        number_of_file(path) == number,
+        f"problem {number.base} belongs into {number.file('.md')}",
         "number",
     )
     for field, form in (
@@ -214,7 +203,7 @@ def validate_drawings(master):
 
 def validate_blocks(master):
     """Raise `MasterError` for a second heading, or a solution without the label of its exercise."""
-    label = "ex-" + master.number.replace(".", "-")
+    label = f"ex-{read_number(master.number).label}"
     for cell in master.cells:
         if cell.role:
             continue

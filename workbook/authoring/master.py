@@ -13,6 +13,7 @@ from workbook.authoring.contract import (
 from workbook.authoring.errors import MasterError
 from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.trials import numbers_section, read_trials, trials_file
+from workbook.numbering import files_by_number
 
 ROLES = ("data", "drawing", "answer", "figure", "check")
 
@@ -114,9 +115,7 @@ class Master:
 
 def master_paths(solutions):
     """Return the files of all masters below a folder, in the order of their numbers."""
-    return sorted(
-        Path(solutions).glob("ch*/p*.md"), key=lambda path: (int(path.parent.name[2:]), path.stem)
-    )
+    return files_by_number(solutions, ".md")
 
 
 def read_all(solutions):

@@ -49,8 +49,9 @@ def mistakes_text(master):
 
 
 def source_hash(master):
-    """Return a hash of the code and the sentences from which the mistakes are made."""
+    """Return a hash of the number, the code and the sentences from which the mistakes are made."""
     parts = [
+        master.number,
         master.code("data", "answer"),
         [
             [trial.name, trial.source, mistake_sentence(master, trial)]

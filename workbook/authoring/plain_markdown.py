@@ -5,6 +5,8 @@ Directives become headings, quotes and formulas; references become the texts tha
 
 import re
 
+from workbook.numbering import NUMBER
+
 DIRECTIVE = re.compile(
     r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ "
     r"\t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
@@ -49,7 +51,7 @@ def plain_markdown(text, links=None, number=""):
 
     text = _without_directives(text, number)
     # the heading of the exercise repeats it, with the title
-    text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)
+    text = re.sub(rf"^# Problem {NUMBER.pattern}$", "", text, flags=re.M)
     text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
     text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _reference(m[1], url(m[2])), text)
     text = re.sub(
@@ -60,12 +62,12 @@ def plain_markdown(text, links=None, number=""):
     text = re.sub(
         r"\{eq\}`eq-([\w-]+)`",
         lambda m: _reference(
-            f"({_tag(m[1])})", url(f"eq-{m[1]}") if re.fullmatch(r"\d+-\d+", m[1]) else None
+            f"({_tag(m[1])})", url(f"eq-{m[1]}") if re.fullmatch(r"[a-z]*\d*-\d+", m[1]) else None
         ),
         text,
     )
     text = re.sub(
-        r"\{problem\}`([\d.]+)`",
+        rf"\{{problem\}}`({NUMBER.pattern})`",
         lambda m: f"{'Pp'[not _starts_sentence(m.string[: m.start()])]}roblem {m[1]}",
         text,
     )

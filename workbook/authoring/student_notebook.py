@@ -14,7 +14,8 @@ from pathlib import Path
 from textwrap import wrap
 
 from trajlib.typesetting import plain
-from workbook.authoring.contract import caption_above, master_file, plural_kind
+from workbook import course
+from workbook.authoring.contract import caption_above, plural_kind
 from workbook.authoring.drawing_cells import DrawingCells
 from workbook.authoring.links import Links
 from workbook.authoring.master import read, read_all
@@ -26,26 +27,18 @@ from workbook.checks.contract.check_cells import reported_names, with_problem
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
+from workbook.notebooks.origin import fingerprint
+from workbook.numbering import read_number
 
-CREDIT = (
-    "S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
-    "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. "
-    "Bolotin, Moscow, 2012"
-)
-RESEARCH = "the research chapters of the workbook"
-#: The page of the site that says how to install the workbook. Notebooks name no version of it.
-INSTALL = "book/guides/install.html"
-#: The section of problems of chapters 1 to 5 that the printed book does not have.
-ADDED = "added"
 #: Letters of a line that a code cell shows without scrolling, in Jupyter and VS Code.
 WIDTH = 79
 #: The code cell before all others: without the workbook it fails with one line that says how to install it.
-SETUP = f"""\
+SETUP = """\
 try:
     import workbook.checks, z3
 except ModuleNotFoundError as missing:
-    page = "the workbook's site, {INSTALL}"
-    how = f"No workbook here. How to install it: {{page}}"
+    page = INSTALL
+    how = f"No workbook here. How to install it: {page}"
     missing._render_traceback_ = lambda: [how]
     raise"""
 IMPORT = "from workbook import checks"
@@ -59,7 +52,7 @@ STEPS_CHECK = f"{IMPORT}\n\nchecks.report(my_steps=checks.steps(my_steps))"
 
 
 def write_exercises(root, numbers=()):
-    """Write the student notebooks of a checkout, each with its file of sealed mistakes.
+    """Write the student notebooks of a course, each with its file of sealed mistakes.
 
     Sealing runs the master, which takes seconds; without `numbers` it is done only where the
     master's code or sentences have changed.
@@ -67,7 +60,7 @@ def write_exercises(root, numbers=()):
     Parameters
     ----------
     root : path_like
-        The checkout; the notebooks are written below its folder exercises/.
+        The folder of the course; the notebooks are written below its folder exercises/.
     numbers : sequence of str
         Numbers of problems, such as "1.15"; all problems if empty.
 
@@ -84,7 +77,7 @@ def write_exercises(root, numbers=()):
     root = Path(root)
     links, changed = Links(root, baseurl(root)), []
     masters = (
-        [read(root / "solutions" / master_file(number)) for number in numbers]
+        [read(root / "solutions" / read_number(number).file(".md")) for number in numbers]
         if numbers
         else read_all(root / "solutions")
     )
@@ -132,11 +125,12 @@ def student_notebook(master, links):
     MasterError
         If the code of a drawing cell fails or its last line is no `Drawing`.
     """
-    cells = _cells(master, links)
+    cells, home = _cells(master, links), exercises.home_of(master.number)
+    statement = "\n".join(cell["source"] for cell in cells if cell["cell_type"] == "markdown")
     first_code = next(k for k, cell in enumerate(cells) if cell["cell_type"] == "code")
     cells[first_code:first_code] = [
         _instruction(master),
-        _code(SETUP, "setup", [(INSTALL, INSTALL)]),
+        _code(setup(home), "setup", [(course.INSTALL,) * 2] * (course.INSTALL in home.install)),
     ]
     cells += [
         new_markdown_cell(f"## Check my steps\n\n{STEPS_TEXT}", tags=["steps"]),
@@ -148,6 +142,8 @@ def student_notebook(master, links):
         cells,
         workbook={
             "number": master.number,
+            "course": home.name,
+            "fingerprint": fingerprint(statement),
             "title": master.title,
             "section": master.section,
             "level": master.level,
@@ -163,6 +159,11 @@ def student_notebook(master, links):
     return (
         exercises.add_links(notebook, exercises.site_urls(links.base)) if links.base else notebook
     )
+
+
+def setup(home):
+    """Return the first code cell of the notebooks of a `Course`."""
+    return SETUP.replace("INSTALL", repr(home.install))
 
 
 def _cells(master, links):
@@ -274,35 +275,13 @@ def _instruction(master):
 
 
 def _origin(master, equations):
-    chapter = master.number.split(".")[0]
-    credit = (
-        f"{CREDIT}, problem {exercises.base_number(master.number)}"
-        if int(chapter) <= 5
-        else RESEARCH
-    )
-    origin = (
-        "*This problem is our own; it is not in the printed problem book.*"
-        if master.section == ADDED
-        else f"*The data of this problem come from* {credit}."
-    )
-    return _markdown(
-        f"{origin}\n\n"
-        'This notebook needs the workbook: from a checkout of it run `pip install -e ".[workbook]"`, '
-        "or install the wheel that the workbook's site offers. "
-        f"The theory is in chapter {chapter}"
-        + (
-            f"; numbers such as {', '.join(text for text, _ in equations)} name equations of "
-            f"chapter {equations[0][0][1:].split('.')[0]}"
-            if equations
-            else ""
+    text, places = exercises.home_of(master.number).origin(master.number, master.section)
+    if equations:
+        text = (
+            f"{text.removesuffix('.')}; numbers such as {', '.join(text for text, _ in equations)} "
+            f"name equations of chapter {equations[0][0][1:].split('.')[0]}."
         )
-        + ".",
-        [
-            ("wheel that the workbook's site offers", INSTALL),
-            (f"chapter {chapter}", f"book/ch{chapter}.html"),
-            *equations,
-        ],
-    )
+    return _markdown(text, [*places, *equations])
 
 
 def _markdown(text, urls=()):
@@ -328,9 +307,11 @@ def _link_metadata(urls):
 
 
 def baseurl(root):
-    """Return the site's address from _config.yml, "" where none is set."""
+    """Return the site's address from workbook.toml or _config.yml, "" where none is set."""
     import yaml
 
+    if (root / course.FILE).is_file():
+        return course.read(root).site
     config = root / "_config.yml"
     settings = yaml.safe_load(config.read_text(encoding="utf-8")) if config.exists() else {}
     return (settings.get("html") or {}).get("baseurl") or ""

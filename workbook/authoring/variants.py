@@ -3,7 +3,7 @@
 A row is proved if the right answers for it are judged right and all foreseen mistakes wrong, if no
 coefficient vanishes and no answer grows long, if the answers on the site, which are those of row 0,
 earn at most a stated share, and if the row has few right answers in common with each earlier row.
-Only a proved row has a notebook in variants/ of the checkout, where `exercises.find` finds it by its
+Only a proved row has a notebook in variants/ of its course, where `exercises.find` finds it by its
 name, such as 2.4~17. A proof is made again when the page, its trials or a module of ours behind them
 changes.
 """
@@ -19,7 +19,6 @@ from pathlib import Path
 
 import sympy as sp
 
-from workbook.authoring.contract import master_file
 from workbook.authoring.errors import MasterError
 from workbook.authoring.links import Links
 from workbook.authoring.master import read
@@ -41,6 +40,7 @@ from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure
 from workbook.notebooks.execution import Child, judge_answers
+from workbook.numbering import read_number
 
 #: What the answers of the site may earn, unless the section sets `site_share`.
 SHARE = 1 / 3
@@ -178,8 +178,8 @@ class Variants:
 
 
 def variants_of(root, number):
-    """Return the `Variants` of a problem in a checkout."""
-    return Variants(read(Path(root) / "solutions" / master_file(number)))
+    """Return the `Variants` of a problem in the folder of a course."""
+    return Variants(read(Path(root) / "solutions" / read_number(number).file(".md")))
 
 
 def prove(root, number, rows=None):
@@ -188,7 +188,7 @@ def prove(root, number, rows=None):
     Parameters
     ----------
     root : path_like
-        The checkout.
+        The folder of the course.
     number : str
         The problem.
     rows : iterable of int, optional

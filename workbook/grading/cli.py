@@ -14,10 +14,11 @@ from typing import Annotated
 
 import typer
 
-from workbook.terminal import AsJson, UserError, console
+from workbook.terminal import AsJson, CourseCommands, UserError, console
 
-assignment = typer.Typer(
-    help="Make a homework: to hand out, or as an autograder for Gradescope.", no_args_is_help=True
+assignment = CourseCommands(
+    help="Make a homework: to hand out, or as an autograder for Gradescope.",
+    no_args_is_help=True,
 )
 Homework = Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="Name of the homework.")]
 Assignments = Annotated[Path, typer.Option(help="Folder of all homeworks.")]

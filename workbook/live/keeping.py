@@ -5,8 +5,11 @@ import shutil
 import sys
 from pathlib import Path
 
+from workbook.course import courses
 from workbook.live.errors import LiveError
-from workbook.notebooks import exercises
+
+#: What a course keeps in them is not overwritten by a copy.
+OWN_FOLDERS = ("solutions", "exercises", "book", "lectures")
 
 
 def keep_notebook(notebook, original, name, keep=None, discard=False):
@@ -73,8 +76,8 @@ def _copy(notebook, path):
 def validate_destination(path):
     """Raise `LiveError` for a path among the masters or the student notebooks."""
     absolute = path.expanduser().resolve()
-    for folder in ("solutions", "exercises", "book"):
-        if absolute.is_relative_to(exercises.CHECKOUT / folder):
+    for course in courses():
+        if any(absolute.is_relative_to(course.folder / name) for name in OWN_FOLDERS):
             raise LiveError(
-                f"{path} stands among the workbook's own files; keep the copy elsewhere"
+                f"{path} stands among the {course.name} course's own files; keep the copy elsewhere"
             )

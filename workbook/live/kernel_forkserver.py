@@ -54,14 +54,10 @@ def skip_rfc3987_grammars():
 def modules_of_problems(numbers):
     """Return the names of our modules that the cells of problems use; takes a third of a second."""
     # the forkserver has nothing to do with masters, and starts sooner without them
-    from workbook.authoring.contract import master_file
     from workbook.notebooks import exercises
     from workbook.notebooks.dependencies import module_closure
 
-    texts = [
-        (exercises.CHECKOUT / "solutions" / master_file(number)).read_text(encoding="utf-8")
-        for number in numbers
-    ]
+    texts = [exercises.master_path(number).read_text(encoding="utf-8") for number in numbers]
     cells = [
         block.split("```")[0].split("]\n", 1)[-1]
         for text in texts

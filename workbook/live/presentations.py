@@ -4,8 +4,12 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
+from workbook.course import courses
 from workbook.live.errors import LiveError
 from workbook.notebooks import exercises
+
+#: Where the worked solutions are.
+MASTERS = "they are in a checkout of the workbook, and in a course of one's own"
 
 
 @dataclass(frozen=True)
@@ -39,14 +43,15 @@ def find_presentation(name):
     Raises
     ------
     LiveError
-        If there is none, or no checkout of the workbook.
+        If there is none, or its masters are not here.
     """
-    _validate_checkout()
-    if name[:1].isdigit():
+    if "." in name:
         try:
-            exercise = exercises.find(name)
+            exercise, master = exercises.find(name), exercises.master_path(name)
         except exercises.UnknownExercise as error:
             raise LiveError(error) from None
+        if not master.is_file():
+            raise LiveError(f"the worked solution of {name} is not here: {MASTERS}")
         return Presentation(name, exercise.about["title"], (name,), exercise.path, is_lecture=False)
     lectures_by_name = {lecture.name: lecture for lecture in lectures()}
     if name not in lectures_by_name:
@@ -59,17 +64,20 @@ def find_presentation(name):
 
 
 def lectures():
-    """Return the lectures of book/lectures/ in the order of their slugs.
+    """Return the lectures of the workbook and the course, each in the order of their slugs.
 
     Raises
     ------
     LiveError
-        If there is no checkout of the workbook.
+        If there are no masters here.
     """
-    _validate_checkout()
+    homes = courses()
+    if not any(home.solutions.is_dir() for home in homes):
+        raise LiveError(f"a lecture needs the worked solutions: {MASTERS}")
     return [
         _lecture(path)
-        for path in sorted((exercises.CHECKOUT / "book" / "lectures").glob("*.md"))
+        for home in homes
+        for path in sorted(home.lectures.glob("*.md"))
         if path.stem != "index"
     ]
 
@@ -81,10 +89,3 @@ def _lecture(path):
     return Presentation(
         path.stem, front_matter["title"], tuple(front_matter["problems"]), path, is_lecture=True
     )
-
-
-def _validate_checkout():
-    if not (exercises.CHECKOUT / "solutions").is_dir():
-        raise LiveError(
-            "a lecture needs a checkout of the workbook: the worked solutions are only there"
-        )

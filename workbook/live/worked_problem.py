@@ -5,7 +5,6 @@ import re
 from difflib import get_close_matches
 from functools import cached_property
 
-from workbook.authoring.contract import master_file
 from workbook.authoring.master import read
 from workbook.authoring.mistakes import trial_value
 from workbook.authoring.statements import assigned_names
@@ -36,7 +35,7 @@ class WorkedProblem:
     @cached_property
     def master(self):
         """The master."""
-        return read(exercises.CHECKOUT / "solutions" / master_file(self.number))
+        return read(exercises.master_path(self.number))
 
     @cached_property
     def exercise(self):

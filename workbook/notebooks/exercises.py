@@ -1,8 +1,8 @@
 """The pristine exercises, from which every check and every grade reads data and check cells.
 
-They are in exercises/ of a checkout, and in the package where it was installed from a wheel. A
-variant of a problem, with other numbers, has a name such as 2.4~17: problem 2.4 with the numbers of
-row 17. `workbook.authoring.variants` writes it to variants/ of a checkout once it is proved. A
+They are in the folder exercises/ of their course (`workbook.course`). A variant of a problem, with
+other numbers, has a name such as 2.4~17: problem 2.4 with the numbers of row 17.
+`workbook.authoring.variants` writes it to variants/ of the course once it is proved. A
 notebook refers to the book without links, since a student may be anywhere; the metadata `places` of
 its cells hold the addresses, and `add_links` makes links of them where the site has an address.
 """
@@ -16,19 +16,15 @@ from pathlib import Path
 
 from workbook.checks.contract.check_cells import check_calls, marked
 from workbook.checks.contract.former_names import with_former_names
+from workbook.course import course_of, courses
+from workbook.numbering import NUMBER, files_by_number, read_number
 
 #: The report of a check cell, and what stands above it in a homework.
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 #: In the place of the check of an answer that only the grading judges.
 KEPT = re.compile(r"\b(\w+)=checks\.kept_for_grading\(\1\)")
 #: A report with the name of its problem or variant.
-NAMED_REPORT = re.compile(r'checks\.report\((f?"[\d.]+(~\d+|~\{row\})?",?)?')
-PACKAGE = Path(__file__).resolve().parents[1]
-CHECKOUT = PACKAGE.parent
-#: Notebooks of variants: generated, and not part of the repository.
-VARIANTS = CHECKOUT / "variants"
-#: The name of a problem or a variant: chapter, problem and row.
-NAME = re.compile(r"(\d+)\.(\d+)(?:~([1-9]\d*))?", re.ASCII)
+NAMED_REPORT = re.compile(rf'checks\.report\((f?"({NUMBER.pattern}|[a-z0-9.]+~\{{row\}})",?)?')
 
 
 class UnknownExercise(ValueError):
@@ -85,12 +81,6 @@ class Exercise:
         return [marks.get(plain(source), source) for source in sources]
 
 
-def folder():
-    """Return the folder of the exercises."""
-    checkout = CHECKOUT / "exercises"
-    return checkout if checkout.is_dir() else PACKAGE / "_exercises"
-
-
 def read(path):
     """Return the exercise in a notebook file, pristine or worked on.
 
@@ -119,10 +109,13 @@ def read(path):
         ) from None
 
 
-def read_all():
-    """Return all exercises in the order of their numbers."""
-    paths = folder().glob("ch*/p*.ipynb")
-    return [read(path) for path in sorted(paths, key=lambda p: (int(p.parent.name[2:]), p.stem))]
+def read_all(homes=None):
+    """Return all exercises of courses in the order of their numbers; by default of those here."""
+    return [
+        read(path)
+        for home in (courses() if homes is None else homes)
+        for path in files_by_number(home.exercises, ".ipynb")
+    ]
 
 
 def find(number):
@@ -183,29 +176,44 @@ def notebook_path(number):
 def path_of(number):
     """Return where the notebook of a problem or variant is, if there is one; raise
     `UnknownExercise` for a number that cannot be a problem's."""
-    match = NAME.fullmatch(str(number))
-    if not match:
-        raise _unknown(number)
-    chapter, problem, row = match.groups()
-    name = f"p{problem:0>2}" + (f"~{row}" if row else "")
-    return (VARIANTS if row else folder()) / f"ch{chapter}" / f"{name}.ipynb"
+    home = home_of(number)
+    folder = home.variants if read_number(number).row else home.exercises
+    return folder / read_number(number).file(".ipynb")
 
 
-def base_number(number):
-    """Return the problem of a variant, or the problem itself.
+def master_path(number):
+    """Return where the master of a problem is, if it is here; raise `UnknownExercise`."""
+    return home_of(number).solutions / read_number(number).file(".md")
 
-    >>> base_number("2.4~17"), base_number("2.4")
-    ('2.4', '2.4')
+
+def home_of(number):
+    """Return the `Course` of a problem or variant.
+
+    Raises
+    ------
+    UnknownExercise
+        If a text is no number, or its course is not here.
     """
-    return number.partition("~")[0]
+    if read_number(number) is None:
+        raise _unknown(number)
+    home = course_of(number)
+    if home is None:
+        here = " and ".join(f"{course.title} ({course.folder})" for course in courses()[1:])
+        raise UnknownExercise(
+            f"problem {number} is of a course that is not here"
+            + (f", where there is {here}" if here else "")
+            + ": its notebook checks itself; to check or grade it elsewhere, work in the folder of the "
+            "course or name it by --course FOLDER"
+        )
+    return home
 
 
 def _unknown(number):
     base, _, row = str(number).partition("~")
     if row:
         return UnknownExercise(
-            f"row {row} of problem {base} is not here, and its notebook checks itself; in a checkout, "
-            f"`workbook variants {base}` proves and writes the rows"
+            f"row {row} of problem {base} is not here, and its notebook checks itself; where its master "
+            f"is, `workbook variants {base}` proves and writes the rows"
         )
     return UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
 

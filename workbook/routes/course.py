@@ -12,6 +12,7 @@ from functools import cache, cached_property
 
 from workbook.authoring.contract import item_of
 from workbook.authoring.study_time import minutes
+from workbook.course import PACKAGE, WORKBOOK
 from workbook.notebooks import exercises
 
 #: A problem, or a problem with the items that are asked of it: "1.13 a, b".
@@ -181,9 +182,9 @@ class Course:
 @cache
 def course():
     """Return what the file says."""
-    path = exercises.CHECKOUT / "book" / "routes.toml"
+    path = WORKBOOK.folder / "book" / "routes.toml"
     if not path.is_file():
-        path = exercises.PACKAGE / "_routes.toml"
+        path = PACKAGE / "_routes.toml"
     table = tomllib.loads(path.read_text(encoding="utf-8"))
     sections = {
         label: _section(label, fields, table) for label, fields in table["sections"].items()

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from workbook.course import pinned
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import copying, matching, numbers, student_folders, submissions
 from workbook.grading.course.policy import Budget
@@ -144,8 +145,14 @@ def grade(
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CourseError(f"{out} cannot be made: {error.strerror}") from None
+    home = pinned()
+    if home is not None and home.folder.is_relative_to(Path(submitted).resolve()):
+        raise CourseError(
+            f"the course {home.folder} lies in {submitted}, where every folder is a student's: name "
+            "yours by --course FOLDER"
+        )
     if not (trusting or wasm):
-        _require_hidden(submitted, out)
+        _require_hidden(submitted, out, *([home.folder] if home else []))
     with (
         _locked(out),
         _early_forkserver(out, cluster is not None or wasm) as forkserver,

@@ -15,6 +15,7 @@ from workbook.grading.course import assignment as assignments
 from workbook.grading.course.assignment import POOL, AssignmentError
 from workbook.grading.course.policy import can_be_due
 from workbook.notebooks import exercises
+from workbook.numbering import read_number
 
 #: A date, with or without a time, with or without a zone.
 DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
@@ -127,8 +128,7 @@ def file_name(problem):
     >>> file_name("1.4")
     'ch1-p04.ipynb'
     """
-    chapter, number = problem.split(".")
-    return f"ch{chapter}-p{number:0>2}.ipynb"
+    return read_number(problem).handed_out
 
 
 def release(homework, variant, site=""):
@@ -142,7 +142,7 @@ def release(homework, variant, site=""):
         if "check" in cell["metadata"].get("tags", ()):
             source = exercises.keeping_for_grading("".join(cell["source"]), kept)
             cell["source"] = source if homework.direction else exercises.hiding_direction(source)
-    if site:
+    if site := exercises.home_of(variant).site or site:
         # Homework links to the student edition, which has no solutions.
         to_site = exercises.site_urls(site)
         notebook = exercises.add_links(

@@ -1,16 +1,13 @@
 """Matching: which problem a notebook is for, and which problems a homework has."""
 
-import re
 from pathlib import PurePath
 
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.notebooks import exercises
+from workbook.notebooks.origin import why_foreign
+from workbook.numbering import numbers_within, read_number
 
-#: A number such as 1.15 anywhere in a name, unless it is part of a longer one, as of a date.
-NUMBER = re.compile(
-    r"(?<![0-9])(?<![0-9][._-])0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?![._-]?[0-9])", re.IGNORECASE
-)
 #: From this number of students on, a problem that only one of them handed in is not asked for.
 MIN_CLASS = 3
 
@@ -42,7 +39,7 @@ def infer_homework(name, entries):
             and is_known_problem(entry.problem)
         ):
             students.setdefault(entry.problem, set()).add(entry.student)
-    numbers = sorted(students, key=lambda number: [int(part) for part in number.split(".")])
+    numbers = sorted(students, key=lambda number: read_number(number).order)
     shared = [number for number in numbers if len(students[number]) > 1]
     reasons = {}
     if shared and len(set().union(*students.values())) >= MIN_CLASS:
@@ -81,7 +78,8 @@ def problem_for(submission, homework):
     """Return the problem of the homework that a notebook is for, or a `LeftAside`."""
     named, owner = submission.problem, (submission.student, submission.assignment)
     if named in homework.problems:
-        return named
+        foreign = why_foreign(submission.marks, exercises.find(named))
+        return LeftAside(submission.path, foreign, *owner) if foreign else named
     if named is not None and is_known_problem(named):
         return LeftAside(
             submission.path,
@@ -89,7 +87,7 @@ def problem_for(submission, homework):
             *owner,
             named,
         )
-    in_name = {".".join(numbers) for numbers in NUMBER.findall(PurePath(submission.path).stem)}
+    in_name = numbers_within(PurePath(submission.path).stem)
     if len(asked := in_name.intersection(homework.problems)) == 1:
         return asked.pop()
     if len(homework.problems) == 1:  # it names none, and there is only one it can be

@@ -11,7 +11,7 @@ from workbook.grading.course.handing_out import file_name
 from workbook.grading.course.record import put_bytes
 from workbook.grading.course.student_folders import FOLDER
 from workbook.grading.sandbox.sanitising import normalise_name
-from workbook.grading.sandbox.submitted_file import number_of_name
+from workbook.numbering import number_of_name
 
 
 def moodle_archive(folder, name, grading_worksheet):

@@ -107,19 +107,20 @@ def proved_rows(problems, pool=()):
         If there are no masters here, or none of the problems varies.
     """
     from workbook.authoring import read
-    from workbook.authoring.contract import master_file
     from workbook.authoring.variants import prove
 
-    solutions = exercises.CHECKOUT / "solutions"
-    if not solutions.is_dir():
-        raise InputError("--numbers needs the masters: run it in a checkout of the workbook")
-    varying = [p for p in problems if read(solutions / master_file(p)).numbers]
+    masters = {problem: exercises.master_path(problem) for problem in problems}
+    if not any(path.is_file() for path in masters.values()):
+        raise InputError(
+            "--numbers needs the masters: run it in a checkout of the workbook or in a course"
+        )
+    varying = [p for p, path in masters.items() if path.is_file() and read(path).numbers]
     if not varying and not pool:
         raise InputError(f"none of the problems {', '.join(problems)} varies")
     rows = {
         problem: [
             int(proof.name.partition("~")[2])
-            for proof in prove(exercises.CHECKOUT, problem)
+            for proof in prove(exercises.home_of(problem).folder, problem)
             if not proof.faults
         ]
         for problem in varying

@@ -19,6 +19,7 @@ from workbook.grading.course.ledger import KNOWN, UNKNOWN
 from workbook.grading.course.policy import Budget
 from workbook.grading.sandbox import submitted_file
 from workbook.grading.sandbox.sanitising import normalise_name, sanitise_name
+from workbook.numbering import number_of_name
 
 #: Folders that operating systems make, besides hidden ones.
 SYSTEM_FOLDERS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.BIN", "lost+found"}
@@ -56,6 +57,8 @@ class Submission:
     rank : tuple
         Among what the student handed in at the same time, by the system that took it: the first
         time of the file, then what orders them. Empty where no system says so.
+    marks : tuple of str
+        Its course and the fingerprint of its statement, "" where it does not say.
     """
 
     student: str
@@ -69,6 +72,7 @@ class Submission:
     timing: str = KNOWN
     names_in_text: tuple = ()
     rank: tuple = ()
+    marks: tuple = ("", "")
 
 
 @dataclass(frozen=True)
@@ -356,8 +360,9 @@ def _read(student, assignment, path, reader):
         sanitise_name(path),
         fingerprint,
         submitted,
-        read.number or submitted_file.number_of_name(path.stem),
+        read.number or number_of_name(path.stem),
         read.cells,
         trouble,
         names_in_text=read.names_in_text,
+        marks=read.marks,
     )

@@ -6,6 +6,7 @@ from pathlib import Path
 from workbook.grading.sandbox import submitted_file
 from workbook.grading.sandbox.sanitising import normalise_name
 from workbook.notebooks import exercises
+from workbook.numbering import number_of_name
 
 
 def read(submitted, assignment):
@@ -24,7 +25,7 @@ def read(submitted, assignment):
                 number, cells = reader.text(submitted_file.content(path))
             except (OSError, submitted_file.UnreadableFileError):
                 continue
-            pristine = _pristine(number or submitted_file.number_of_name(path.stem))
+            pristine = _pristine(number or number_of_name(path.stem))
             own = [text for cell, text in cells if cell not in pristine]
             if own:
                 texts.setdefault(student, []).append((path.name, own))

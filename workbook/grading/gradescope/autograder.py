@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from workbook import course
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import matching, record, submissions
 from workbook.grading.course.ledger import KNOWN, UNKNOWN
@@ -66,6 +67,8 @@ class HandIn:
 def main(root=Path("/autograder")):
     """Grade the submission below `root`."""
     began = time.monotonic()
+    packed = root / "source" / "course"
+    course.enter(packed if packed.is_dir() else None)
     homework = assignments.read(root / "source" / "assignment.toml").automatic
     hand_in = read_metadata(root / "submission_metadata.json", homework.policy)
     with tempfile.TemporaryDirectory() as scratch:

@@ -10,6 +10,7 @@ import zipfile
 from importlib import metadata
 from pathlib import Path
 
+from workbook.course import FILE, PACKAGE, WORKBOOK
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import numbers
 from workbook.grading.course.assignment import BY_HAND, AssignmentError
@@ -20,7 +21,9 @@ from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import PACKAGES
 
 HERE = Path(__file__).resolve().parent
-HOME = exercises.PACKAGE.parent
+HOME = PACKAGE.parent
+#: The folder of the course's problems, which `autograder` names.
+COURSE = "course"
 #: The date of all entries, so that equal files give an equal archive.
 DATE = (2012, 1, 1, 0, 0, 0)
 
@@ -39,7 +42,13 @@ def make(folder, name, out):
         )
     if Path(out).suffix != ".zip":
         raise AssignmentError(f"{out}: Gradescope takes a .zip")
-    wheel_name, wheel = _wheel()
+    packed = _packed(homework.problems)
+    wheel_name, wheel = _wheel(packed.pop(WORKBOOK, {}))
+    course_files = {
+        f"{COURSE}/{path}": content
+        for home, notebooks in packed.items()
+        for path, content in {FILE: (home.folder / FILE).read_bytes(), **notebooks}.items()
+    }
     put_bytes(
         Path(out),
         _zip(
@@ -49,6 +58,7 @@ def make(folder, name, out):
                 "assignment.toml": file.read_bytes(),
                 "constraints.txt": _constraints().encode(),
                 wheel_name: wheel,
+                **course_files,
             }
         ),
     )
@@ -81,7 +91,22 @@ def _left_out(homework):
     return notes
 
 
-def _wheel():
+def _packed(problems):
+    """Return {course: {path below its folder: content}} of problems, with their mistakes."""
+    packed = {}
+    for problem in problems:
+        notebook = exercises.notebook_path(problem)
+        packed.setdefault(exercises.home_of(problem), {}).update(
+            {
+                f"exercises/{path.parent.name}/{path.name}": path.read_bytes()
+                for path in (notebook, mistakes_file(notebook))
+                if path.is_file()
+            }
+        )
+    return packed
+
+
+def _wheel(notebooks):
     """Return (name, bytes) of a wheel of trajlib and workbook as installed here, with exercises."""
     distribution = metadata.distribution("trajlib")
     info = f"trajlib-{distribution.version}.dist-info"
@@ -91,12 +116,7 @@ def _wheel():
         for path in sorted((HOME / package).rglob("*"))
         if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(HOME).parts)
     }
-    notebooks = [exercise.path for exercise in exercises.read_all()]
-    with_mistakes = [*notebooks, *filter(Path.is_file, map(mistakes_file, notebooks))]
-    files |= {
-        f"workbook/_exercises/{path.parent.name}/{path.name}": path.read_bytes()
-        for path in with_mistakes
-    }
+    files |= {f"workbook/_{path}": content for path, content in notebooks.items()}
     files |= {
         f"{info}/{name}": distribution.read_text(name).encode()
         for name in ("METADATA", "entry_points.txt")

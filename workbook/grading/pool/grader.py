@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass, replace
 import psutil
 
 from workbook.checks.contract.verdict import MISSING, Verdict
+from workbook.course import current
 from workbook.grading.pool import copying
 from workbook.grading.pool.judging import Bounds, Judge, Judgement
 from workbook.grading.sandbox.limits import Limits
@@ -168,8 +169,14 @@ def fit_memory(limits, count):
 
 
 def to_settings(limits, bounds, trusting=False):
-    """Return limits and bounds as plain data, to send to another process."""
-    return {"limits": asdict(limits), "bounds": asdict(bounds), "trusting": trusting}
+    """Return limits, bounds and the folder of the course, to send to another process."""
+    course = current()
+    return {
+        "limits": asdict(limits),
+        "bounds": asdict(bounds),
+        "trusting": trusting,
+        "course": str(course.folder) if course else None,
+    }
 
 
 def from_settings(settings):

@@ -10,6 +10,7 @@ import sys
 from contextlib import suppress
 from multiprocessing import connection
 
+from workbook import course
 from workbook.grading.pool.grader import Grader, Task, from_settings, to_plain
 from workbook.grading.pool.judging import grader_failure
 from workbook.grading.sandbox.limits import SandboxUnavailableError
@@ -118,6 +119,7 @@ def run(pipe, lifeline, settings, root):
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the grader, which ends this
     limits, bounds, _ = from_settings(settings)
+    course.enter(settings["course"])
     forks = sys.platform == "linux"  # elsewhere the process that judges imports what it needs
     with suppress(EOFError, OSError):
         try:

@@ -10,6 +10,7 @@ import signal
 import sys
 from contextlib import suppress
 
+from workbook import course
 from workbook.grading.pool.grader import Grader, Task, from_settings, to_plain
 from workbook.grading.pool.judging import grader_failure
 from workbook.grading.sandbox import framing, sandbox
@@ -233,6 +234,7 @@ def run_worker(settings, bubblewrap):
     os.dup2(2, 1)
     with suppress(framing.FramingError):
         limits, bounds, trusting = from_settings(settings)
+        course.enter(settings["course"])
         idle_seconds = settings.get("idle_seconds", math.inf)
         try:
             inside = (sandbox.Unsandboxed if trusting else sandbox.Sandbox)(

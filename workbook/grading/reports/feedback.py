@@ -18,6 +18,7 @@ from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.pages import count, page, points
 from workbook.grading.sandbox import submitted_file
 from workbook.notebooks import exercises
+from workbook.numbering import read_number
 
 #: An item of a statement, a paragraph that begins with its letter.
 ITEM = re.compile(r"^([a-z])\) (\S.*(?:\n.+)*)", re.MULTILINE)
@@ -234,12 +235,11 @@ def _mark(status):
 
 
 def _theory(problem, site):
-    chapter, number = problem.split(".")
+    chapter, home = read_number(problem).chapter, exercises.home_of(problem)
+    page, site = home.theory(chapter), home.site or site
     if not site:
-        return f"The theory stands in chapter {chapter} of the workbook."
+        return f"The theory stands in chapter {chapter} of the workbook." if page else ""
     base = escape(site.rstrip("/"), quote=True)
-    return (
-        f'The theory: <a href="{base}/book/ch{chapter}.html">chapter {chapter}</a>. '
-        f'The statement: <a href="{base}/exercises/ch{chapter}/p{number:0>2}.html">problem '
-        f"{escape(problem)}</a>."
-    )
+    theory = f'The theory: <a href="{base}/{page}">chapter {chapter}</a>. ' if page else ""
+    statement = f"{base}/exercises/{read_number(problem).file('.html').as_posix()}"
+    return f'{theory}The statement: <a href="{statement}">problem {escape(problem)}</a>.'

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 
 from workbook.grading.sandbox.limited_process import LimitedProcess, LimitError
 from workbook.grading.sandbox.sanitising import sanitise
-from workbook.notebooks.exercises import base_number
+from workbook.notebooks.origin import marks_of
+from workbook.numbering import base_number, read_number
 
 #: Bytes: larger files are not read.
 MAX_FILE = 200 * 2**20
@@ -30,11 +31,6 @@ else:
     READ_REGULAR = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
 #: Errors on opening a file that is a link, a socket or a device; others are the machine's.
 FILE_ERRORS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
-#: The name of a notebook as it is handed out, ch1-p15, also within the name that a browser or a
-#: learning platform gave it.
-HANDED_OUT_NAME = re.compile(
-    r"(?<![a-z0-9])ch0*([0-9]{1,3})(?:[ ._-]p?|p)0*([0-9]{1,3})(?![0-9])", re.IGNORECASE
-)
 #: Characters of a text cell, and of the text cells of one notebook, that are shown to a lecturer.
 MAX_SHOWN, MAX_SHOWN_TOGETHER = 20_000, 100_000
 #: A link, which a notebook that was handed out has or has not. No bracket in it is one's own: else
@@ -42,7 +38,6 @@ MAX_SHOWN, MAX_SHOWN_TOGETHER = 20_000, 100_000
 LINK = re.compile(r"\[([^\[\]]*)\]\([^()]*\)")
 #: A line of text that assigns a variable.
 ASSIGNED_NAME = re.compile(r"^[ ]{0,3}([A-Za-z_]\w{0,100})\s{0,9}=(?!=)", re.MULTILINE)
-SHORT_NAME = re.compile(r"0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", re.DOTALL)
 
 
 class UnreadableFileError(Exception):
@@ -86,11 +81,14 @@ class Notebook:
         The sources of its code cells.
     names_in_text : tuple of str
         What its cells of text assign, as one does that was a code cell before.
+    marks : tuple of str
+        Its course and the fingerprint of its statement (`workbook.notebooks.origin`).
     """
 
     number: str | None
     cells: tuple
     names_in_text: tuple
+    marks: tuple = ("", "")
 
 
 class Reader:
@@ -107,8 +105,8 @@ class Reader:
 
     def notebook(self, content):
         """Return the `Notebook` in a file's bytes; raise `UnreadableFileError`."""
-        number, cells, names = self._read(_read_notebook, content)
-        return Notebook(number, tuple(cells), tuple(names))
+        number, cells, names, marks = self._read(_read_notebook, content)
+        return Notebook(number, tuple(cells), tuple(names), tuple(marks))
 
     def text(self, content):
         """Return (number in the metadata or None, [(hash, text)] of the cells that are no code).
@@ -142,17 +140,6 @@ def text_hash(text):
     return hashlib.sha256(plain.encode("utf-8", "surrogatepass")).hexdigest()
 
 
-def number_of_name(stem):
-    """Return the problem that the name of a file gives, or None.
-
-    Such names are 1.15, 1_15, ch1-p15, Copy of ch1-p15, Ann_123_ch1-p15 (1).
-    """
-    numbers = {match.groups() for match in HANDED_OUT_NAME.finditer(stem)}
-    if not numbers and (match := SHORT_NAME.fullmatch(stem)):
-        numbers = {match.groups()}
-    return ".".join(numbers.pop()) if len(numbers) == 1 else None
-
-
 # In the limited process
 
 
@@ -184,7 +171,7 @@ def _parse(content):
             f"{MAX_CELLS} cells of it"
         )
     names = {name for text in texts[:MAX_CELLS] for name in ASSIGNED_NAME.findall(text[:MAX_CODE])}
-    return _number(data), cells, sorted(names)[:MAX_CELLS]
+    return _number(data), cells, sorted(names)[:MAX_CELLS], marks_of(_about(data))
 
 
 def _parse_text(content):
@@ -235,13 +222,15 @@ def _source(cell):
 
 def _number(data):
     """Return the problem in the notebook's metadata, or None."""
-    try:
-        number = data["metadata"]["workbook"]["number"]
-    except (KeyError, TypeError):
-        return None
+    number = _about(data).get("number")
     # whose numbers a notebook has is not the student's to say
-    return (
-        base_number(number)
-        if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}(~[0-9]{1,4})?", number)
-        else None
-    )
+    return base_number(number) if isinstance(number, str) and read_number(number) else None
+
+
+def _about(data):
+    """Return the workbook's metadata of a notebook, {} where they are not as they were handed out."""
+    try:
+        about = data["metadata"]["workbook"]
+    except (KeyError, TypeError):
+        return {}
+    return about if isinstance(about, dict) else {}

@@ -1,0 +1,168 @@
+"""A course of one's own: a folder with problems, proved, handed out with 1.15 and graded."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from workbook import course
+from workbook.authoring import new_course, new_problem
+from workbook.notebooks import exercises, origin
+
+ROOT = Path(__file__).resolve().parents[2]
+SUBSPACE = {
+    "PLACEHOLDER title of problem robotics.2": "Unobservable states of two joints",
+    "condition: PLACEHOLDER the real $k$ for which the zero solution is asymptotically stable": (
+        "list of vector: a basis of the unobservable subspace"
+    ),
+    "a_region": "a_basis",
+    "PLACEHOLDER What signs do the coefficients have?": "Which states give the output zero forever?",
+    "Find where the zero solution is asymptotically stable:": "Find the unobservable subspace:",
+    "\\quad\\ddot x + k\\dot x + x = 0.": (
+        "\\quad\\dot x_1 = x_1,\\ \\dot x_2 = 2x_2,\\ \\text{where } x_1 \\text{ is measured}."
+    ),
+    'k, s = sp.symbols("k s", real=True)\na_poly = s**2 + k*s + 1': (
+        "a_system = Linear(A=sp.diag(1, 2), H=sp.Matrix([[1, 0]]))"
+    ),
+    "from workbook import checks": "from workbook import checks\nfrom workbook.systems import Linear",
+    "a_basis = k > 0": "a_basis = [[0, 1]]",
+    "checks.stability_region(a_basis, a_poly, [k])": "checks.unobservable_states(a_basis, a_system)",
+    "PLACEHOLDER": "",
+}
+TRIALS = """\
+# %% wrong
+a_basis = [[1, 0]]  # Is this state not the one that is measured? (hint 1)
+
+# %% right
+a_basis = [[0, -3]]  # a multiple
+"""
+
+
+def run(*command, cwd, code=0):
+    done = subprocess.run(
+        [sys.executable, "-m", "workbook", *map(str, command)],
+        cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == code, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+@pytest.fixture(autouse=True)
+def no_course(monkeypatch):
+    monkeypatch.delenv(course.VARIABLE, raising=False)
+    yield
+    course.read.cache_clear()
+
+
+@pytest.fixture(scope="module")
+def robotics(tmp_path_factory):
+    """A course of two problems, one of which is the template's."""
+    folder = tmp_path_factory.mktemp("lecturer") / "robotics"
+    new_course(folder)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(course.VARIABLE, str(folder))
+        page, trials = new_problem(folder / "solutions", "robotics.2")
+    text = page.read_text(encoding="utf-8")
+    for old, new in SUBSPACE.items():
+        assert old in text, old
+        text = text.replace(old, new)
+    page.write_text(text, encoding="utf-8")
+    trials.write_text(TRIALS, encoding="utf-8")
+    proved = run("prove", cwd=folder)
+    assert proved.count(": proved") == 2, proved
+    run("exercises", cwd=folder)
+    return folder
+
+
+def answered(path, target, **answers):
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        for name, code in answers.items():
+            if "".join(cell["source"]).endswith(" = ...") or f"{name} = ..." in cell["source"]:
+                cell["source"] = f"{name} = {code}"
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(json.dumps(notebook), encoding="utf-8")
+
+
+def test_a_homework_of_a_course_and_the_workbook(robotics, tmp_path):
+    run("assignment", "new", "hw1", "robotics.1", "robotics.2", "1.15", cwd=robotics)
+    handed = robotics / "assignments" / "hw1"
+    first, second = handed / "chrobotics-p01.ipynb", handed / "chrobotics-p02.ipynb"
+    assert (handed / "ch1-p15.ipynb").is_file()
+    submitted = tmp_path / "submitted"
+    answered(first, submitted / "ann/hw1" / first.name, a_region="(k_p > 2) & (k_d > 0)")
+    answered(second, submitted / "ann/hw1" / second.name, a_basis="[[0, 5]]")
+    answered(first, submitted / "bob/hw1" / first.name, a_region="(k_d > 0) & (0 < k_p)")
+    answered(second, submitted / "bob/hw1" / second.name, a_basis="[[2, 0]]")
+    foreign = submitted / "cid/hw1/ch1-p15.ipynb"
+    answered(handed / "ch1-p15.ipynb", foreign)
+    notebook = json.loads(foreign.read_text())
+    notebook["metadata"]["workbook"]["course"] = "mechanics"
+    foreign.write_text(json.dumps(notebook))
+    # a course inside a submission is not searched
+    (submitted / "bob/hw1/workbook.toml").write_text('title = "Bob"\nname = "robotics"\n')
+    output = run(
+        "grade", submitted, "--out", tmp_path / "graded", "--processes", 1, "--trust-students",
+        cwd=robotics,
+    )  # fmt: skip
+    assert f"course: robotics ({robotics})" in output
+    assert "it is problem 1.15 of the course mechanics, not of workbook" in output
+    grades = json.loads((tmp_path / "graded/hw1/grades.json").read_text())
+    assert (
+        "Did you forget the torque of gravity?"
+        in (tmp_path / "graded/hw1/feedback/bob.html").read_text()
+    )
+    assert (
+        "Is this state not the one that is measured?"
+        in (tmp_path / "graded/hw1/feedback/bob.html").read_text()
+    )
+    assert grades
+
+
+def test_what_is_not_a_course_is_refused(tmp_path, monkeypatch):
+    for text, message in (
+        ('title = "R"', 'name is missing: write name = "..."'),
+        ('title = "R"\nname = "Rob1"', "name is a word of 2 to 20 small letters"),
+        ('title = "R"\nname = "rob"\nworkbook = ">=99"', "its problems were proved with"),
+        ('title = "R"\nname = "rob"\nwebsite = "x"', "unknown field website"),
+        ("title = 3", "title is one line of text in quotes"),
+    ):
+        (tmp_path / course.FILE).write_text(text)
+        with pytest.raises(course.CourseError, match=message.replace("...", r"\.\.\.")):
+            course.read(tmp_path)
+
+
+def test_a_folder_of_another_owner_counts_only_if_it_is_named(tmp_path, monkeypatch):
+    (tmp_path / course.FILE).write_text('title = "R"\nname = "rob"\n')
+    monkeypatch.chdir(tmp_path)
+    assert course.current().name == "rob"
+    monkeypatch.setattr(course, "_is_own", lambda path: False)
+    with pytest.raises(course.CourseError, match="name it by --course"):
+        course.current()
+    monkeypatch.setenv(course.VARIABLE, str(tmp_path))
+    assert course.current().name == "rob"
+    monkeypatch.setenv(course.VARIABLE, "")
+    assert course.current() is None
+
+
+def test_a_number_of_a_course_that_is_not_here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(exercises.UnknownExercise, match="of a course that is not here"):
+        exercises.find("rob.1")
+
+
+def test_a_corrected_statement_is_the_same_problem_and_another_is_not():
+    ours, other = exercises.find("1.15"), exercises.find("5.3")
+    marks = origin.marks_of(ours.about)
+    assert marks[0] == "workbook" and len(marks[1]) > 20
+    corrected = (marks[0], marks[1][: 24 * origin.LETTERS])  # a quarter of the words gone
+    assert origin.why_foreign(corrected, ours) == ""
+    assert origin.why_foreign(("", ""), ours) == ""  # as notebooks were handed out before
+    assert "another problem" in origin.why_foreign(("", origin.marks_of(other.about)[1]), ours)
