@@ -13,9 +13,9 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from harness import check_calls
 
 from workbook.authoring import Cell, Links, Trial, new_problem, read
+from workbook.authoring.judged_problem import call_nodes
 from workbook.authoring.mistakes import mistake_sentence, source_hash
 from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.student_notebook import baseurl, student_notebook
@@ -97,7 +97,7 @@ def check_cells_hold_no_answers(master):
     for source in master.code("data"):
         known |= {node.id for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)}
     for source in master.code("check"):
-        for name, call in check_calls(source).items():
+        for name, call in call_nodes(source).items():
             if ast.unparse(call.args[0]) != name or not ast.unparse(call.func).startswith(
                 "checks."
             ):
