@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from workbook import course
-from workbook.authoring import new_course, new_problem
+from workbook.authoring import MasterError, new_course, new_problem, read
 from workbook.notebooks import exercises, origin
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -166,3 +166,23 @@ def test_a_corrected_statement_is_the_same_problem_and_another_is_not():
     assert origin.why_foreign(corrected, ours) == ""
     assert origin.why_foreign(("", ""), ours) == ""  # as notebooks were handed out before
     assert "another problem" in origin.why_foreign(("", origin.marks_of(other.about)[1]), ours)
+
+
+def test_a_check_of_ones_own_in_a_data_cell(robotics, tmp_path, monkeypatch):
+    monkeypatch.setenv(course.VARIABLE, str(robotics))
+    page = (robotics / "solutions/chrobotics/p01.md").read_text(encoding="utf-8")
+    own = "@checks.judged\ndef own(claim):\n    return 'it is'\n```\n\n```{exercise-end}"
+    changed = page.replace("```\n\n```{exercise-end}", own, 1)
+    changed = changed.replace(
+        "checks.report(a_region=checks.stability_region", "checks.report(a_region=own"
+    )
+    assert changed.count("own(") == 2
+    copy = tmp_path / "solutions/chrobotics/p01.md"
+    copy.parent.mkdir(parents=True)
+    trials = robotics / "solutions/chrobotics/p01.trials.py"
+    copy.with_name(trials.name).write_text(trials.read_text(encoding="utf-8"), encoding="utf-8")
+    copy.write_text(changed, encoding="utf-8")
+    assert "own" in read(copy).code("check")[0]
+    copy.write_text(changed.replace("def own", "def other"), encoding="utf-8")
+    with pytest.raises(MasterError, match="own is neither an answer nor a name of a data cell"):
+        read(copy)

@@ -176,6 +176,8 @@ def validate_code(master, lines):
         [(name, cell) for cell in cells["check"] for name in reported_names(cell.source)],
     )
     data = {node.id for cell in cells["data"] for node in _nodes(cell, ast.Name)}
+    # a check of one's own
+    data |= {node.name for cell in cells["data"] for node in _nodes(cell, ast.FunctionDef)}
     for cell in cells["check"]:
         _validate_names(master.path, cell, {"checks", *data, *master.answers})
 
