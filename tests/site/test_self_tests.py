@@ -31,7 +31,10 @@ FADING = (
     "ch2/examples",
     "ch2/example_control",
     "ch3/observer_examples",
+    "ch4/inertial_navigation",
     "ch5/example_integral",
+    "ch5/example_circle",
+    "ch5/singular_example",
 )
 FRAME = (":::{admonition} After this section you can", "## Self-test", "## Summary", "## Next")
 
