@@ -31,6 +31,7 @@ FADING = (
     "ch2/examples",
     "ch2/example_control",
     "ch3/observer_examples",
+    "ch4/least_squares",
     "ch4/inertial_navigation",
     "ch5/example_integral",
     "ch5/example_circle",
