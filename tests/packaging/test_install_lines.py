@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -22,6 +23,8 @@ TRIED = {
     '-e ".[workbook]"': "test_a_class_without_a_checkout",
     '"trajlib-0.2.0-py3-none-any.whl[workbook]"': "test_a_class_without_a_checkout",
     '"trajlib-0.2.0-py3-none-any.whl[wasm]"': "test_a_class_without_a_checkout",
+    '"trajlib-0.2.0-py3-none-any.whl[author]"': "test_a_class_without_a_checkout",
+    '-e ".[author]"': "test_a_checkout_with_lectures",
     '-e ".[live]"': "test_a_checkout_with_lectures",
     '-e ".[cluster]"': "test_a_checkout_for_a_cluster",
     '"trajlib[workbook] @ https': "test_install_guide.py",
@@ -147,9 +150,28 @@ def test_a_class_without_a_checkout(tmp_path):
     environment.run(*grade, cwd=tmp_path, timeout=1500)
     assert '"5.00"' in (tmp_path / "graded" / "hw1" / "grades.csv").read_text("utf-8-sig")
 
+    folder, printed = tmp_path, ""
+    guide = (ROOT / "book" / "guides" / "own_course.md").read_text(encoding="utf-8")
+    for command, *arguments in map(shlex.split, re.findall(r"^\$ (.+)", guide, re.M)):
+        if command == "cd":
+            folder /= arguments[0]
+        elif arguments[0] == "grade":
+            sent = folder / "submitted" / "ada" / "hw1" / "chrobotics-p01.ipynb"
+            sent.parent.mkdir(parents=True)
+            text = (folder / "assignments" / "hw1" / sent.name).read_text(encoding="utf-8")
+            sent.write_text(text.replace("a_region = ...", "a_region = (k_p > 0) & (k_d > 0)"))
+        if command != "cd":
+            printed += environment.run(command, *arguments, cwd=folder, timeout=600).stdout
+    assert "robotics.1: proved" in printed and "4 of 4 rows proved" in printed
+    page = (folder / "graded" / "hw1" / "feedback" / "ada.html").read_text(encoding="utf-8")
+    assert "Did you forget the torque of gravity?" in page
+
 
 def test_a_checkout_with_lectures(tmp_path, checkout):
-    environment = Environment(tmp_path / "env", ["-e", ".[live]"], checkout)
+    environment = Environment(tmp_path / "env", ["-e", ".[author]"], checkout)
+    proved = environment.run("workbook", "prove", "1.15", cwd=checkout).stdout
+    assert "1.15: proved" in proved
+    environment.run("pip", "install", "--quiet", "-e", ".[live]", cwd=checkout, timeout=600)
     solved = environment.run("workbook", "solve", "5.3", cwd=checkout).stdout
     assert "right" in solved and "wrong" not in solved, "whose proof needs python-flint"
     assert "fastest-motion" in environment.run("workbook", "live", cwd=checkout).stdout

@@ -48,7 +48,10 @@ class Proof:
     @property
     def summary(self):
         """One line: whether it is proved, and what was judged."""
-        judged = ", ".join(f"{count} {what}" for what, count in self.counts.items())
+        judged = ", ".join(
+            f"{count} {what.removesuffix('s') if count == 1 else what}"
+            for what, count in self.counts.items()
+        )
         return f"{'not proved' if self.faults else 'proved'}" + (f" ({judged})" if judged else "")
 
 
