@@ -78,7 +78,9 @@ def test_a_file_that_takes_too_long_ends_its_reader_alone(monkeypatch):
             pass
         return submitted_file._parse_json(content)[0], (), []
 
-    monkeypatch.setattr(submitted_file, "_parse", lambda content: ("1.4", (), parse(content)[2], ()))
+    monkeypatch.setattr(
+        submitted_file, "_parse", lambda content: ("1.4", (), parse(content)[2], ())
+    )
     with Reader() as reader:
         for _ in range(2):
             assert reader.notebook(content).number == "1.4"

@@ -659,7 +659,7 @@ CLASSICAL = {
         [1 + float(np.log(1 - np.exp(-1)))],
         float(-np.log(1 - np.exp(-1))),
     ),
-    "bang-bang transfer": transfer(
+    "transfer with unequal bounds": transfer(
         Problem(CAR, {u: (-2, 1)}, {x: 0, v: 0}, {x: 300, v: 0}),
         ["u+", "u-"],
         [20.0],

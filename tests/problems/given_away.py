@@ -14,6 +14,7 @@ SHORTEST = 14
 ALLOWED = {
     "structure.controllability_matrix(A,b)": "a call without the matrices, not a result",
     "sp.Integer(-1)": "a number as the library's own code writes it",
+    "sp.Matrix([[1,-2]])": "an input matrix in other numbers of 3.25",
     "-x2*sp.Abs(x2)/2": "the switching curve of the double integrator, of the theory of section 5.3",
     "sp.Matrix([[1,1],[1,-1]])": "the data of problem 2.1, and a matrix of an example of the library",
     "sp.Matrix([[0,1,1],[1,1,0],[0,-1,1]])": "the problem book prints worked example 6 as 2.30 k, too",

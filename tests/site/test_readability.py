@@ -75,13 +75,13 @@ def test_no_text_is_too_thin_to_read(browser, addresses):
 def test_every_fold_is_open_in_print(browser, addresses, problem):
     """Chromium prints to PDF; a listener after ours counts the closed folds.
 
-    Common mistakes that the reader has not opened are not printed.
+    Common mistakes and topics that the reader has not opened are not printed.
     """
     browser.resize(1280, 900)
     browser.open(f"{addresses['http']}/{problem.page}")
     browser.driver.execute_script("""addEventListener('beforeprint', () => {
         window.foldsClosed = document.querySelectorAll(
-            'article details:not([open], .mistakes)').length; });""")
+            'article details:not([open], .mistakes, .topics)').length; });""")
     document = browser.driver.execute_cdp_cmd("Page.printToPDF", {})
     assert base64.b64decode(document["data"]).startswith(b"%PDF")
     assert browser.run("window.foldsClosed") == 0

@@ -20,6 +20,8 @@ from sphinx.util.docutils import SphinxDirective
 
 FOLDER = "_build/tiles"
 STILL = re.compile(r'<img class="explorer-still"[^>]* src="data:image/svg\+xml;base64,([^"]+)"')
+#: Black in the still of a figure, and the page's ink, as `book/kernel.py` has it for drawn pictures.
+BLACK, INK = "#000000", "#1d2530"
 #: Width and height of a picture.
 SIZE = re.compile(r"""viewBox=["']\S+ \S+ ([\d.]+) ([\d.]+)""")
 
@@ -95,7 +97,7 @@ def _pictures(notebook):
     drawn = [output["image/svg+xml"] for output in outputs if "image/svg+xml" in output]
     stills = [STILL.search(output.get("text/html", "")) for output in outputs]
     return list(filter(SIZE.search, drawn)) or [
-        b64decode(still[1]).decode("utf-8") for still in stills if still
+        b64decode(still[1]).decode("utf-8").replace(BLACK, INK) for still in stills if still
     ]
 
 
