@@ -78,8 +78,16 @@ def _unsuitable_dict(datum, description):
         return "" if "to intervals" not in description or of_sets else f"{got} to other values"
     if datum is None or not description.startswith("dict"):
         return ""
-    example = ", ".join(f"{name}: sp.Interval(1, 2)" for name in _symbols(datum))
-    return got + (f"; write {{{example}}}" if example and "to intervals" in description else "")
+    names = _symbols(datum)
+    return got + (
+        f"; write {dict_of_ranges(names)}" if names and "to intervals" in description else ""
+    )
+
+
+def dict_of_ranges(symbols):
+    """Return how a dict of intervals is written, in words."""
+    names = ", ".join(f"{name}: ..." for name in symbols)
+    return f"`{{{names}}}` with an interval such as `sp.Interval(1, 2)` in each place"
 
 
 def _symbols(datum):

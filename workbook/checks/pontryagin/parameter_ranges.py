@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from workbook.checks.contract.data_kinds import dict_of_ranges
 from workbook.checks.contract.verdict import UnsuitableData
 from workbook.checks.references.optima.transfer_optima import Transfer, Unknown
 
@@ -36,7 +37,7 @@ def with_ranges(problem, parameters):
         if any(bound.is_finite for pair in problem.controls.values() for bound in pair):
             raise UnsuitableData(
                 "parameters: this problem has bounds of its control, so write for which values it has "
-                f"a solution, such as {{{', '.join(f'{p}: sp.Interval(1, 2)' for p in parameters)}}}"
+                f"a solution: {dict_of_ranges(parameters)}"
             ) from None
         return {p: _range(p) for p in parameters}
 
