@@ -126,7 +126,7 @@ REFUSED = [
     (checks.optimal_control, (1, CONSTRAINED["inequalities at the end"], t), "at the end"),
     (checks.optimal_motion, ([t, t], CONSTRAINED["inequalities at the end"], t), "at the end"),
     (checks.optimal_cost, (4, PARABOLIC), "intervals of all symbols, got none of k"),
-    (checks.optimal_cost, (k, PARABOLIC, [k]), r"such as \{k: sp.Interval"),
+    (checks.optimal_cost, (k, PARABOLIC, [k]), r"a solution: `\{k: ...\}` with"),
     (checks.extremal_control, (1, RUN, t), "a free duration"),
     (checks.optimal_switching, (1, RUN, t), "a transfer to a line"),
     (checks.initial_arc_duration, (1, RUN, u, -1, {}), "with several controls"),
