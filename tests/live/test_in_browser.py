@@ -126,7 +126,8 @@ def check_fastest_motion(browser):
     text = f"{figure}.querySelector('.explorer-sentence')?.textContent"
     assert browser.wait_for(f"{text}?.includes('minimum time')", 60)
     before = browser.run(text)
-    browser.driver.find_elements("css selector", ".explorer .handle")[-1].send_keys("\ue015")
+    handles = browser.driver.find_elements("css selector", ".explorer .handle[role=slider]")
+    handles[-1].send_keys("\ue015")
     assert browser.wait_for(f"{text} !== {before!r}", 5), "no new motion"
     assert "at t = 0 " in browser.run(text)
     browser.run(f"{figure}.querySelector('.explorer-controls button').click()")
