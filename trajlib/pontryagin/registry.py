@@ -100,7 +100,7 @@ def problems(name: str | None = None) -> "tuple[str, ...] | KnownProblem":
 @cache
 def _data():
     """Return name -> fields of the data file."""
-    text = files("trajlib.pontryagin").joinpath("problems.json").read_text(encoding="utf-8")
+    text = files(__package__).joinpath("problems.json").read_text(encoding="utf-8")
     return json.loads(text)["problems"]
 
 
