@@ -52,7 +52,7 @@ def test_the_list_has_lectures_and_problems():
         (["1.15", "--keep", "x", "--discard"], "either --keep or --discard"),
         (
             ["1.15", "--no-browser", "--keep", str(ROOT / "solutions" / "ch1" / "p15.md")],
-            "the workbook's own files",
+            "one of the course's own files",
         ),
     ],
 )

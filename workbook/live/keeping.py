@@ -78,6 +78,4 @@ def validate_destination(path):
     absolute = path.expanduser().resolve()
     for course in courses():
         if any(absolute.is_relative_to(course.folder / name) for name in OWN_FOLDERS):
-            raise LiveError(
-                f"{path} stands among the {course.name} course's own files; keep the copy elsewhere"
-            )
+            raise LiveError(f"{path} is one of the course's own files; keep the copy elsewhere")
