@@ -33,8 +33,9 @@ from trajlib.pontryagin.verification.second_variation import process_of_solution
 MOST_LISTS = 20
 # Costs of discrete solutions that differ by a smaller share are those of one process.
 SAME = 1e-6
-# Share of the cost by which an extremal is worse than the discrete solution it does not belong to.
-LEFT = 1e-2
+# An extremal whose cost is higher by this share than that of the discrete solution from which Newton's
+# method began is another process.
+WORSE = 1e-2
 # Growth of errors along segments from which Newton's method goes to the solution nearby.
 SHORT = 3.0
 
@@ -136,7 +137,7 @@ class _ArcSearch:
             duration = fixed_duration(numeric, solution)
             CHATTERING.check(numeric, detect_arcs(numeric, solution), solution.states[-1], duration)
             extremal = self._first_certified(solution, duration)
-            if extremal is not None and self._left(solution, extremal):
+            if extremal is not None and self._segments_shortened(solution, extremal):
                 continue
             if extremal is not None:
                 sign = 1
@@ -165,10 +166,10 @@ class _ArcSearch:
                 solution = finer_solution(numeric, solution, side, factor) or solution
         return None
 
-    def _left(self, solution, extremal):
-        """Check whether Newton's method has left a solution for a worse one; then shorten segments."""
+    def _segments_shortened(self, solution, extremal):
+        """Shorten the segments, once, if an extremal is worse than its solution; return whether."""
         sign = -1 if self.numeric.problem.maximise else 1
-        worse = sign * extremal.cost > solution.cost + LEFT * abs(solution.cost)
+        worse = sign * extremal.cost > solution.cost + WORSE * abs(solution.cost)
         if not worse or self.longest_growth == SHORT:
             return False
         self.longest_growth = SHORT
