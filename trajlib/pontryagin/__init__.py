@@ -27,6 +27,9 @@ from trajlib._lazy import lazy_names
 # module in the place of the function. So `synthesis` lies in `planar_synthesis`.
 _EXPORTS = {
     "optimal_control": ["Problem"],
+    "phase": ["Phase"],
+    "phased_problem": ["PhasedProblem"],
+    "phased_extremal": ["ExtremalPhase", "PhasedExtremal"],
     "functionals": [
         "control_problem",
         "end_conditions",

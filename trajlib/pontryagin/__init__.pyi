@@ -12,6 +12,10 @@ from trajlib.pontryagin.indirect.explanation import ExplainedStep as ExplainedSt
 from trajlib.pontryagin.indirect.explanation import Explanation as Explanation
 from trajlib.pontryagin.indirect.extremal import Extremal as Extremal
 from trajlib.pontryagin.optimal_control import Problem as Problem
+from trajlib.pontryagin.phase import Phase as Phase
+from trajlib.pontryagin.phased_extremal import ExtremalPhase as ExtremalPhase
+from trajlib.pontryagin.phased_extremal import PhasedExtremal as PhasedExtremal
+from trajlib.pontryagin.phased_problem import PhasedProblem as PhasedProblem
 from trajlib.pontryagin.planar_synthesis.construction import synthesis as synthesis
 from trajlib.pontryagin.planar_synthesis.synthesis import Synthesis as Synthesis
 from trajlib.pontryagin.problem.derivation import Conditions as Conditions
