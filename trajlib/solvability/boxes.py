@@ -325,7 +325,7 @@ def _function(expression, symbols):
     enclosures = {}
     for number in expression.atoms(sp.Number, sp.NumberSymbol):
         # the others are no machine numbers
-        if not (number.is_Integer or abs(number) == sp.S.Half):
+        if not ((2 * number).is_Integer and number == sp.Rational(float(number))):
             value = float(number)
             enclosures[number] = Interval(np.nextafter(value, -np.inf), np.nextafter(value, np.inf))
     names = {number: sp.Symbol(f"number_{k}") for k, number in enumerate(enclosures)}

@@ -4,6 +4,10 @@ Results contain all true values. Sums, products, quotients and square roots of f
 rounded, so one step to the neighbouring number is sufficient. NumPy's sin, cos, exp, log and powers
 are accurate to four units in the last place, so six steps are taken. Where an expression may not be
 defined the ends become infinite or nan, so that nothing is concluded from it.
+
+Arb, of `pontryagin.verification.ball_arithmetic`, does not serve here: it is optional, and in 53 bits
+takes 3 times as long for the derivatives of four bearings (32 us for each cell, against 12 us for
+arrays of 256 cells; mpmath's intervals 800 us), with enclosures as wide (1.003 times).
 """
 
 import numpy as np
@@ -63,8 +67,8 @@ class Interval:
         return _interval(other) / self
 
     def __pow__(self, power):
-        if power == 0.5:
-            return self.sqrt()
+        if power % 1 == 0.5:
+            return self.sqrt() if power == 0.5 else self.sqrt() ** (2 * power)
         if power != int(power):
             raise TypeError(f"power {power}: whole powers and square roots only")
         power = int(power)
