@@ -160,6 +160,18 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
 
     Judged by its slope, which is that of the field everywhere, and by its limits at the points
     `through`.
+
+    Can decide when the domain bounds the first variable: slopes are compared at random points and
+    parameters.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> upper = {x: sp.Interval.open(-1, 1), y: sp.Interval.open(0, sp.oo)}
+    >>> checks.phase_curve(sp.sqrt(1 - x**2), [y, -x], [x, y], [], [(1, 0)], upper).status
+    'right'
+    >>> checks.phase_curve(1 - x**2, [y, -x], [x, y], [], [(1, 0)], upper).status
+    'wrong'
     """
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
