@@ -175,14 +175,10 @@ def _confirmed(point, readings, parameters, case, holds, reference):
 
 def _simplified(point, readings, parameters, case, holds, reference):
     """Return a confirmed difference at values of the parameters as simple as possible, or None."""
-    confirm = functools.partial(
-        _confirmed,
-        readings=readings,
-        parameters=parameters,
-        case=case,
-        holds=holds,
-        reference=reference,
-    )
+
+    def confirm(point):
+        return _confirmed(point, readings, parameters, case, holds, reference)
+
     if not confirm(point):
         return None
     # With unknowns every coordinate hangs on the others, so the point stays as it is.
