@@ -44,7 +44,7 @@ def _fixed(data):
     return tuple(map(_fixed, data)) if isinstance(data, (list, tuple)) else data
 
 
-def sample_values(parameters, count=6, seed=5):
+def sample_values(parameters, count=6):
     """Return rational values for parameters, of both signs if their assumptions allow.
 
     Parameters
@@ -53,8 +53,6 @@ def sample_values(parameters, count=6, seed=5):
         The parameters.
     count : int
         The number of samples.
-    seed : int
-        Seed of the random numbers.
 
     Returns
     -------
@@ -62,7 +60,7 @@ def sample_values(parameters, count=6, seed=5):
         Among any four that follow one another from the first on, a parameter has sizes below and above
         one, of either sign.
     """
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(5)
     samples = []
     for k in range(count):
         if k % 4 == 0:
