@@ -13,6 +13,7 @@ x, v, p = sp.symbols("x v p", real=True)
 n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
 PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
 WELL = [v, -x - k * v], [x, v], [k]
+WELL_ALONE = [v, -x - v], [x, v]
 UP, DOWN = sp.pi + 2 * sp.pi * n, 2 * sp.pi * n
 HANGING = sp.Matrix([[0, 1], [-k, -1]])
 STANDING = sp.Matrix([[0, 1], [k, -1]])
@@ -23,9 +24,12 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
     [
         ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),
         ("equilibrium_angles_exist", True, k > 1, PENDULUM),
+        ("equilibrium_exists", True, k > 1, PENDULUM),
+        ("equilibrium_types", {0: "stable focus"}, {0: "saddle"}, WELL_ALONE),
         ("focus_region", k < 2, k < 3, WELL),
         ("linearisation_matrices", [HANGING, STANDING], [HANGING], (*PENDULUM, k < 2, n)),
         ("node_region", k > 2, k > 3, WELL),
+        ("nullcline", k, -k, (x - k, x, [k])),
         ("saddle_angle_condition", sp.cos(p) < 0, sp.cos(p) > 0, (*PENDULUM, p)),
         ("stable_angle_condition", sp.cos(p) > 0, sp.cos(p) < 0, (*PENDULUM, p)),
         ("stable_equilibria", [(0, 0)], [], ([v, -x - v], [x, v])),
@@ -42,6 +46,7 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
         ("stationary_stability", "asymptotically stable", "unstable", WELL),
         ("stationary_type", "saddle", "centre", ([v, k * x], [x, v], [k])),
         ("stationary_value", 1 + k, k, (x + k, [1 - x], [x], [k])),
+        ("unique_equilibrium", p >= 0, p > 0, ([v, -x - p * x**3], [x, v], [p])),
         ("unstable_equilibrium_angles", [UP], [DOWN], (*PENDULUM, n)),
         ("unstable_equilibrium_values", [UP], [DOWN], (*PENDULUM, k < 2, n)),
     ],

@@ -537,6 +537,15 @@ def test_interval_division_and_roots_outside_their_domain_conclude_nothing():
     assert not guarantee(sp.Matrix([[1 / a]]), {a: (-1, 2)}, scaling=[1], cells=300).lower > 0.51
 
 
+def test_guarantee_of_a_quotient_by_a_root():
+    """Its derivative has the power -3/2, and that of the third power of a root 1/2."""
+    a = sp.Symbol("a")
+    result = guarantee(
+        sp.Matrix([[1 / sp.sqrt(a)], [a ** sp.Rational(3, 2)]]), {a: (1, 2)}, scaling=[1]
+    )
+    assert result.proved and result.lower <= np.sqrt(2) <= result.upper
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [0.4, 0.8])
 def test_guarantee_against_random_motions_of_the_box(width):

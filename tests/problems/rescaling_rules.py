@@ -200,7 +200,6 @@ RULES = {
     "equilibrium_type": UNCHANGED,
     "equilibrium_stability": UNCHANGED,
     "equilibrium_linearisation": _matrix,
-    "equilibrium_types": UNCHANGED,
     "saddle_slopes": _times(_slopes),
 }
 

@@ -19,7 +19,7 @@ import sympy as sp
 
 from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
-from trajlib.solvability.intervals import FUNCTIONS, Interval
+from trajlib.solvability.intervals import FUNCTIONS, Interval, as_interval
 from trajlib.solvability.rounding import EPS, threshold
 
 #: Cells that are treated together.
@@ -173,12 +173,7 @@ def guarantee(
         sufficient = new_bounds >= ratio * best
         if sufficient.any():
             accepted = min(accepted, new_bounds[sufficient].min())
-        a, b, new_bounds, sides = (
-            a[~sufficient],
-            b[~sufficient],
-            new_bounds[~sufficient],
-            sides[~sufficient],
-        )
+        a, b, new_bounds, sides = (part[~sufficient] for part in (a, b, new_bounds, sides))
         lows, highs, bounds = lows[BATCH:], highs[BATCH:], bounds[BATCH:]
         if count >= cells or best == 0:
             # the cells that are left keep the bounds of the cells they come from
@@ -228,13 +223,7 @@ def _cell_bounds(values, slopes, a, b, scaling):
     )
     usable[usable] &= smallest[usable] > EPS * n
     if usable.any():
-        C, C_radius, D, D_radius, half = (
-            C[usable],
-            C_radius[usable],
-            D[usable],
-            D_radius[usable],
-            half[usable],
-        )
+        C, C_radius, D, D_radius, half = (part[usable] for part in (C, C_radius, D, D_radius, half))
         G = np.linalg.pinv(C)
         size = np.abs(G)
         # of a sum of n products
@@ -294,10 +283,7 @@ def _enclosure(matrices, symbols):
         values = [Interval(a, b) for a, b in zip(low.T, high.T)]
         for step in steps:
             values.append(step(*values))
-        enclosures = [entry(*values) for entry in entries]
-        enclosures = [
-            value if isinstance(value, Interval) else Interval(value) for value in enclosures
-        ]
+        enclosures = [as_interval(entry(*values)) for entry in entries]
         cells = len(low)
         ends = (
             np.stack([np.broadcast_to(getattr(value, end), cells) for value in enclosures], axis=1)
@@ -309,7 +295,7 @@ def _enclosure(matrices, symbols):
 
 
 def _applied(name):
-    return lambda value: getattr(value if isinstance(value, Interval) else Interval(value), name)()
+    return lambda value: getattr(as_interval(value), name)()
 
 
 _ALLOWED = {name: _applied(name) for name in FUNCTIONS}
@@ -325,7 +311,7 @@ def _function(expression, symbols):
     enclosures = {}
     for number in expression.atoms(sp.Number, sp.NumberSymbol):
         # the others are no machine numbers
-        if not (number.is_Integer or abs(number) == sp.S.Half):
+        if not ((2 * number).is_Integer and number == sp.Rational(float(number))):
             value = float(number)
             enclosures[number] = Interval(np.nextafter(value, -np.inf), np.nextafter(value, np.inf))
     names = {number: sp.Symbol(f"number_{k}") for k, number in enumerate(enclosures)}

@@ -21,12 +21,8 @@ _present, __dir__, __all__ = lazy_names(
         "algebra.same": ["same_expression", "same_matrix", "same_value"],
         "algebra.steps": ["steps"],
         "stability.regions": ["stability_region"],
-        "stability.equilibria": ["equilibria", "nullcline"],
-        "stability.equilibrium_conditions": [
-            "equilibrium_condition",
-            "equilibrium_exists",
-            "unique_equilibrium",
-        ],
+        "stability.equilibria": ["equilibria"],
+        "stability.equilibrium_conditions": ["equilibrium_condition"],
         "stability.equilibrium_linearisations": [
             "angle_linearisation",
             "equilibrium_linearisation",
@@ -36,7 +32,6 @@ _present, __dir__, __all__ = lazy_names(
         "stability.equilibrium_types": [
             "equilibrium_stability",
             "equilibrium_type",
-            "equilibrium_types",
             "saddle_slopes",
         ],
         "stability.equilibrium_values": ["equilibrium_values", "growth_rate"],

@@ -306,16 +306,7 @@ def equilibrium_condition(
     kind: Any = ...,
     angle: Any = ...,
 ) -> Verdict:
-    """Check the parameters for which the equilibrium of a planar system is of a kind in `KINDS`."""
-
-def equilibrium_exists(
-    answer: Any,
-    field: Any,
-    state: Any,
-    parameters: Any,
-    domain: Any = ...,
-) -> Verdict:
-    """Check the parameters for which there is an equilibrium in the domain."""
+    """Check the parameters for which there is an equilibrium, one alone, or one of a kind."""
 
 def equilibrium_gains(
     claim: Any,
@@ -352,13 +343,10 @@ def equilibrium_type(
     answer: Any,
     field: Any,
     state: Any,
-    parameters: Any,
+    parameters: Any = ...,
     domain: Any = ...,
 ) -> Verdict:
-    """Check the type of the equilibrium of a planar system."""
-
-def equilibrium_types(answer: Any, field: Any, state: Any) -> Verdict:
-    """Check the type of every equilibrium of a second-order equation, a dict {x*: word}."""
+    """Check the type of the equilibrium of a planar system, the only one in the domain, or of all."""
 
 def equilibrium_value(
     claim: Any,
@@ -706,9 +694,6 @@ def nominal_motion(
     time: Any,
 ) -> Verdict:
     """Check a nominal motion and its controls as functions of time."""
-
-def nullcline(answer: Any, rate: Any, variable: Any, parameters: Any, domain: Any = ...) -> Verdict:
-    """Check the curve on which `rate` vanishes, solved for `variable`."""
 
 def observability_matrix(claim: Any, system: Any, parameters: Any) -> Verdict:
     """Check the n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ..."""
@@ -1129,9 +1114,6 @@ def uncorrelated(
 
 def undetectable_mode(answer: Any, system: Any, parameters: Any = ...) -> Verdict:
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none."""
-
-def unique_equilibrium(answer: Any, field: Any, state: Any, parameters: Any) -> Verdict:
-    """Check the parameters for which x' = f(x) has one equilibrium only."""
 
 def unobservable_parameters(answer: Any, system: Any, parameters: Any) -> Verdict:
     """Check the condition on the parameters under which the system is not observable."""

@@ -1,4 +1,8 @@
-"""Ball arithmetic (python-flint's Arb): exact numbers as balls, and enclosures by fractions."""
+"""Ball arithmetic (python-flint's Arb): exact numbers as balls, and enclosures by fractions.
+
+The proofs need hundreds of bits, matrix exponentials and inverses, which the intervals of floats in
+`trajlib.solvability.intervals` do not have.
+"""
 
 from dataclasses import dataclass
 from fractions import Fraction

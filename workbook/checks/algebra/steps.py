@@ -21,21 +21,10 @@ from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import number_text, values_text, where_text
 
 ORDINALS = [
-    *(
-        "first",
-        "second",
-        "third",
-        "fourth",
-        "fifth",
-        "sixth",
-        "seventh",
-        "eighth",
-        "ninth",
-        "tenth",
-    ),
-    *("eleventh", "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth"),
-    *("eighteenth", "nineteenth", "twentieth"),
-]
+    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth",
+    "eleventh", "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth",
+    "eighteenth", "nineteenth", "twentieth",
+]  # fmt: skip
 OPERATIONS = """\
 ("derivative", t), ("integral", t), ("substitute", {x: 2*y}) and ("Laplace", t, s)"""
 PROVED = "proved for all values"

@@ -9,10 +9,13 @@ _STABLE, _UNSTABLE = {"kind": "asymptotically stable"}, {"kind": "unstable"}
 #: {former name: the check, the order of its data then, data that it did not take}.
 FORMER = {
     "equilibrium_angles": ("equilibrium_values", _ANGLES, {}),
-    "equilibrium_angles_exist": ("equilibrium_exists", _POINTS, {}),
+    "equilibrium_angles_exist": ("equilibrium_condition", _POINTS, {}),
+    "equilibrium_exists": ("equilibrium_condition", _POINTS, {}),
+    "equilibrium_types": ("equilibrium_type", "field state", {}),
     "focus_region": ("equilibrium_condition", _POINTS, {"kind": "focus"}),
     "linearisation_matrices": ("equilibrium_linearisation", f"{_VALUES} zeros", {}),
     "node_region": ("equilibrium_condition", _POINTS, {"kind": "node"}),
+    "nullcline": ("equilibria", _POINTS, {}),
     "saddle_angle_condition": (
         "equilibrium_condition",
         "field state parameters angle",
@@ -26,12 +29,17 @@ FORMER = {
     "stable_equilibria": ("equilibria", "field state", _STABLE),
     "stable_equilibrium_angles": ("equilibrium_values", _ANGLES, _STABLE),
     "stable_equilibrium_values": ("equilibrium_values", _VALUES, _STABLE),
-    "stationary_exists": ("equilibrium_exists", _POINTS, {}),
+    "stationary_exists": ("equilibrium_condition", _POINTS, {}),
     "stationary_linearisation": ("equilibrium_linearisation", _POINTS, {}),
     "stationary_points": ("equilibria", f"{_POINTS} zeros", {}),
     "stationary_stability": ("equilibrium_stability", _POINTS, {}),
     "stationary_type": ("equilibrium_type", _POINTS, {}),
     "stationary_value": ("equilibrium_value", f"expression {_POINTS}", {}),
+    "unique_equilibrium": (
+        "equilibrium_condition",
+        "field state parameters",
+        {"kind": "unique"},
+    ),
     "unstable_equilibrium_angles": ("equilibrium_values", _ANGLES, _UNSTABLE),
     "unstable_equilibrium_values": ("equilibrium_values", _VALUES, _UNSTABLE),
 }

@@ -62,6 +62,11 @@ class Field:
 
     def motion(self, start, duration, escape=1e3):
         """Return the state after `duration`, or None if the motion leaves a ball before."""
+        path = self.path(start, duration, escape)
+        return None if path.t[-1] < duration else path.y[:, -1]
+
+    def path(self, start, duration, escape, times=None):
+        """Return SciPy's solution, at its own times or those given, which ends outside a ball."""
         from scipy.integrate import solve_ivp
 
         def boundary(_, x):
@@ -69,13 +74,13 @@ class Field:
 
         boundary.terminal = True
         with np.errstate(all="ignore"):
-            path = solve_ivp(
+            return solve_ivp(
                 self.velocity,
                 (0, duration),
                 start,
                 method="DOP853",
                 rtol=1e-9,
                 atol=1e-12,
+                t_eval=times,
                 events=boundary,
             )
-        return None if path.t[-1] < duration else path.y[:, -1]

@@ -4,9 +4,12 @@ import functools
 
 import numpy as np
 
+#: The distance from zero at which motions start, and how long they are followed.
+RADIUS, DURATION = 0.05, 200.0
+
 
 @functools.lru_cache(maxsize=16)
-def stability_from_motions(flow, radius=0.05, duration=200.0):
+def stability_from_motions(flow):
     """Return the stability of zero, and the reason, from motions that begin on a small sphere.
 
     Notes
@@ -23,19 +26,17 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
     for _ in range(2):
         start = random.normal(size=len(flow.state))
         # a motion may come to zero from one side and leave it on the other
-        for side in (radius, -radius):
-            trends.append(
-                _amplitude_ratio(flow, measure, side * start / np.linalg.norm(start), duration)
-            )
+        for side in (RADIUS, -RADIUS):
+            trends.append(_amplitude_ratio(flow, measure, side * start / np.linalg.norm(start)))
     low, high = min(trends) - 1, max(trends) - 1
     if high == np.inf:
         return (
             "unstable",
-            f"a motion that starts at distance {radius} from zero leaves the ball of radius 1",
+            f"a motion that starts at distance {RADIUS} from zero leaves the ball of radius 1",
         )
     reason = (
-        f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to "
-        f"{100 * high:.2g} per cent from half the time {duration:g} to the whole"
+        f"in motions that start at distance {RADIUS} the amplitude changes by {100 * low:.2g} to "
+        f"{100 * high:.2g} per cent from half the time {DURATION:g} to the whole"
     )
     if low > 1e-4:
         return "unstable", reason
@@ -46,26 +47,10 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
     raise RuntimeError(f"motions near zero do not decide: {reason}")
 
 
-def _amplitude_ratio(flow, measure, start, duration, escape=1.0):
+def _amplitude_ratio(flow, measure, start):
     """Return the ratio of the final amplitude of a motion to that midway; inf if it escapes."""
-    from scipy.integrate import solve_ivp
-
-    def boundary(_, x):
-        return escape - np.linalg.norm(x)
-
-    boundary.terminal = True
-    times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * duration
-    with np.errstate(all="ignore"):
-        path = solve_ivp(
-            flow.velocity,
-            (0, duration),
-            start,
-            method="DOP853",
-            rtol=1e-9,
-            atol=1e-12,
-            t_eval=times,
-            events=boundary,
-        )
+    times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * DURATION
+    path = flow.path(start, DURATION, 1.0, times)
     if path.t_events[0].size:
         return np.inf
     amplitudes = np.linalg.norm(measure @ path.y, axis=0)

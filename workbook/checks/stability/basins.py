@@ -325,10 +325,10 @@ def _has_no_holes(claim, state, height, level, border, where):
             )
 
 
-def _exit_distances(inside, directions, nearest=1e-2, extent=60.0):
+def _exit_distances(inside, directions):
     """Return the distance along each ray at which it first leaves a set, inf where it does not."""
     # A step of 1.2 per cent: less than the gap that a ray beside a saddle passes through.
-    distances = np.geomspace(nearest, extent, 740)
+    distances = np.geomspace(1e-2, 60.0, 740)
     grid = inside((distances[:, None, None] * directions).reshape(-1, directions.shape[1])).reshape(
         len(distances), -1
     )

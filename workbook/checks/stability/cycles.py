@@ -343,8 +343,8 @@ def _polar_velocity(flow, r, phi):
 
 
 @functools.lru_cache(maxsize=16)
-def _circles(flow, reach=20.0):
-    """Return the radii below `reach` of the circles around zero that are closed orbits.
+def _circles(flow):
+    """Return the radii below 20 of the circles around zero that are closed orbits.
 
     r' is computed along a ray on a fine grid: a cycle is a zero of r' or, where r' keeps its sign,
     of its derivative.
@@ -358,7 +358,7 @@ def _circles(flow, reach=20.0):
     def growth(r):
         return unit @ flow.derivative(r * unit, unit)
 
-    grid = np.geomspace(0.013, reach, 400)
+    grid = np.geomspace(0.013, 20.0, 400)
     if max(abs(rate(r)) / r for r in grid) < 1e-12:
         raise UnsuitableData(
             "field: all circles around zero are closed orbits, and none of them is a limit cycle"
@@ -412,8 +412,9 @@ def _tendency(flow, radius, side):
     return "to" if ratio < 1 else "from"
 
 
-def _lifetime(flow, r0, duration=2.0):
-    """Return how long a motion stays bounded, at most `duration`."""
+def _lifetime(flow, r0):
+    """Return how long a motion stays bounded, at most 2."""
+    duration = 2.0
     for _ in range(12):
         if flow.motion([r0, 0.0], duration, escape=100.0) is not None:
             return duration

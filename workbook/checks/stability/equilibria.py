@@ -33,7 +33,8 @@ def equilibria(answer, field, state, parameters=(), domain=None, zeros=None, kin
     The answer is one point, or a list of points. A point whose formula is not real, or leaves the
     domain, for some values of the parameters stands for no point there. Where derivatives vanish
     at a point as well, `zeros` are functions that have the same zeros, all simple. The kind is
-    decided by linearisation.
+    decided by linearisation. Of one right-hand side and one symbol, both without a list, it is a
+    nullcline: the curve on which the rate vanishes, solved for the symbol.
 
     Can decide when the equilibria are simple zeros of the field, or of the `zeros`; with
     parameters at sample values in the domain.
@@ -46,35 +47,15 @@ def equilibria(answer, field, state, parameters=(), domain=None, zeros=None, kin
     'right'
     >>> checks.equilibria([[0, 0]], field, [x, y]).message
     'there is an equilibrium that your answer does not give'
+    >>> v, p = sp.symbols("v p", positive=True)
+    >>> checks.equilibria(sp.sqrt(p), p - v**2, v, [p]).status
+    'right'
     """
     noun = "equilibrium" if kind is None else f"{kind} equilibrium"
+    if isinstance(state, sp.Symbol):
+        noun, field, state = "point of the curve", [field], [state]
     family = equilibria_of(field, state, parameters, domain)
     searched = family if zeros is None else equilibria_of(zeros, state, parameters, domain)
-    return _judge_points(answer, family, noun, searched, kind)
-
-
-@judged
-def nullcline(answer, rate, variable, parameters, domain=None):
-    """Check the curve on which `rate` vanishes, solved for `variable`.
-
-    The other state variables count as parameters.
-
-    Can decide when the rate has simple zeros in the variable; the other symbols get sample values.
-
-    Examples
-    --------
-    >>> v, p = sp.symbols("v p", positive=True)
-    >>> checks.nullcline(sp.sqrt(p), p - v**2, v, [p]).status
-    'right'
-    >>> checks.nullcline(p, p - v**2, v, [p]).status
-    'wrong'
-    """
-    family = equilibria_of([rate], [variable], parameters, domain)
-    return _judge_points(answer, family, "point of the curve", family)
-
-
-def _judge_points(answer, family, noun, searched, kind=None):
-    """Judge all equilibria of a family and a kind, one point or a list; `searched` finds them."""
     claims = _points(answer, family)
     in_domain, place = [False] * len(claims), " in the domain" if family.domain else ""
     for values, numbers, points in searched.samples(claims, alone=False):

@@ -1,4 +1,4 @@
-"""Conditions on parameters: that equilibria exist, or are of a kind.
+"""Conditions on parameters: that an equilibrium exists, is the only one, or is of a kind.
 
 `domain` is as for `equilibria`. Without it the equilibria of an equation that is periodic in an angle
 are meant, all of them.
@@ -30,22 +30,41 @@ KINDS = {
 
 
 @judged
-def equilibrium_exists(answer, field, state, parameters, domain=None):
-    """Check the parameters for which there is an equilibrium in the domain.
+def equilibrium_condition(answer, field, state, parameters, domain=None, kind=None, angle=None):
+    """Check the parameters for which there is an equilibrium, one alone, or one of a kind.
 
-    Can decide when the field is made of polynomials in the state and the parameters, or is
-    periodic in an angle; elsewhere the condition is compared at points.
+    Without a kind there has to be an equilibrium in the domain. Of the kind "unique", for an equation
+    of second order [y, f] with a polynomial f, there is one only, wherever it lies; real roots are
+    counted exactly. The others, in `KINDS`, are those of the equilibrium of a planar system: cases on a
+    border, where a root is zero, imaginary or double, count either way, and so do parameters without
+    an equilibrium; without a domain all equilibria that are no saddles have to be of the kind. With the
+    symbol `angle` it is a condition on an equilibrium (angle, 0), whose borders are judged.
+
+    Can decide when the field, or for a kind the linearisation, is made of polynomials in the state and
+    the parameters, or of functions that become so; elsewhere the condition is compared at points.
 
     Examples
     --------
-    >>> r = sp.Symbol("r", positive=True)
-    >>> u = sp.Symbol("u", real=True)
-    >>> checks.equilibrium_exists(u > 2, [r*(u - 2) - r**3], [r], [u], {r: sp.Interval.open(0, sp.oo)}).status
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> e = sp.Symbol("e", real=True)
+    >>> checks.equilibrium_condition(sp.Abs(e) < 2, [y, e*y - x], [x, y], [e], kind="focus").status
     'right'
-    >>> checks.equilibrium_exists(u >= 2, [r*(u - 2) - r**3], [r], [u], {r: sp.Interval.open(0, sp.oo)}).status
+    >>> checks.equilibrium_condition(e < 2, [y, e*y - x], [x, y], [e], kind="focus").status
     'wrong'
+    >>> checks.equilibrium_condition(e >= 0, [y, -x - e*x**3], [x, y], [e], kind="unique").status
+    'right'
+    >>> r = sp.Symbol("r", positive=True)
+    >>> checks.equilibrium_condition(e > 2, [r*(e - 2) - r**3], [r], [e]).status
+    'right'
     """
+    if kind == "unique":
+        return _unique(answer, field, state, parameters)
     family = equilibria_of(field, state, parameters, domain)
+    return _exists(answer, family) if kind is None else _of_kind(answer, family, kind, angle)
+
+
+def _exists(answer, family):
+    """Judge where there is an equilibrium in the domain."""
 
     def at(values):
         numbers = family.numbers(values)
@@ -63,28 +82,12 @@ def equilibrium_exists(answer, field, state, parameters, domain=None):
         (Case(sp.And(assumptions, sp.Not(at_rest)), family.unknowns, every=True),),
         at,
     )
-    agreement = compare(answer, parameters, reference, message)
+    agreement = compare(answer, family.parameters, reference, message)
     return f"there is an equilibrium exactly for these parameters: {agreement}"
 
 
-@judged
-def unique_equilibrium(answer, field, state, parameters):
-    """Check the parameters for which x' = f(x) has one equilibrium only.
-
-    The right-hand side f is a polynomial; its real roots are counted exactly.
-
-    Can decide when the right-hand sides are polynomials: real roots are counted for all
-    parameters.
-
-    Examples
-    --------
-    >>> x, y = sp.symbols("x y", real=True)
-    >>> b = sp.Symbol("b", real=True)
-    >>> checks.unique_equilibrium(b >= 0, [y, -x - b*x**3 - y], [x, y], [b]).status
-    'right'
-    >>> checks.unique_equilibrium(b > 0, [y, -x - b*x**3 - y], [x, y], [b]).status
-    'wrong'
-    """
+def _unique(answer, field, state, parameters):
+    """Judge where an equation of second order has one equilibrium only."""
     *kinematic, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
     if any(second != 0 for second in kinematic):
         raise UnsuitableData("field: expected an equation of second order, as [rate, f]")
@@ -110,28 +113,9 @@ def unique_equilibrium(answer, field, state, parameters):
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
-@judged
-def equilibrium_condition(answer, field, state, parameters, domain=None, kind=None, angle=None):
-    """Check the parameters for which the equilibrium of a planar system is of a kind in `KINDS`.
-
-    Cases on a border, where a root is zero, imaginary or double, count either way, and so do
-    parameters without an equilibrium. Without a domain all equilibria that are no saddles have to be of
-    the kind. With the symbol `angle` it is a condition on an equilibrium (angle, 0), whose borders are
-    judged.
-
-    Can decide when the coefficients of the linearisation are polynomials in the parameters, or
-    functions of them that become so; elsewhere the condition is compared at points.
-
-    Examples
-    --------
-    >>> x, y = sp.symbols("x y", real=True)
-    >>> e = sp.Symbol("e", real=True)
-    >>> checks.equilibrium_condition(sp.Abs(e) < 2, [y, e*y - x], [x, y], [e], kind="focus").status
-    'right'
-    >>> checks.equilibrium_condition(e < 2, [y, e*y - x], [x, y], [e], kind="focus").status
-    'wrong'
-    """
-    family = equilibria_of(field, state, parameters, domain)
+def _of_kind(answer, family, kind, angle):
+    """Judge where the equilibrium, or the one at `angle`, is of a kind in `KINDS`."""
+    state, parameters, domain = family.state, family.parameters, family.domain
     noun = kind if kind.endswith("stable") else with_article(kind)
 
     def linearisations(values):
@@ -143,9 +127,7 @@ def equilibrium_condition(answer, field, state, parameters, domain=None, kind=No
             family.points(numbers)[0] if angle is None else [np.array([float(values[angle]), 0.0])]
         )
         matrices = [family.jacobian(point, numbers[:, 0]) for point in points]
-        return [
-            A for A in matrices if domain is not None or angle is not None or np.linalg.det(A) > 0
-        ]
+        return [A for A in matrices if domain or angle is not None or np.linalg.det(A) > 0]
 
     def at(values):
         outcomes = {
@@ -158,7 +140,7 @@ def equilibrium_condition(answer, field, state, parameters, domain=None, kind=No
         which = (
             "the equilibrium" if angle is None else f"the equilibrium {float(values[angle]):.4g}"
         )
-        matrices = [] if domain is not None else linearisations(values)
+        matrices = [] if domain else linearisations(values)
         roots = [
             f": the roots of the characteristic equation are {roots_text(np.linalg.eigvals(matrix))}"
             for matrix in matrices[:1]
@@ -172,7 +154,7 @@ def equilibrium_condition(answer, field, state, parameters, domain=None, kind=No
     if angle is not None:
         at_angle = {state[0]: angle}
         turn = {state[0]: sp.Interval.Ropen(0, 2 * sp.pi)}
-        in_turn = equilibria_of(field, state, parameters, turn | (domain or {}))
+        in_turn = equilibria_of(family.field, state, parameters, turn | domain)
         reference = exactly(
             condition.subs(at_angle),
             family.at_rest.subs(at_angle),
@@ -185,11 +167,11 @@ def equilibrium_condition(answer, field, state, parameters, domain=None, kind=No
         family.domain_condition,
         family.at_rest,
         *(sp.Ne(x, 0) for x in family.invariants),
-        *([family.invariants[1] > 0] if domain is None else []),
+        *([family.invariants[1] > 0] if not domain else []),
     )
     reference = exactly(condition, decided, family.unknowns, at)
     agreement = compare(answer, parameters, reference, message)
-    which = "every one that is no saddle" if domain is None else "it"
+    which = "every one that is no saddle" if not domain else "it"
     return f"where there is an equilibrium, {which} is {noun} exactly for these parameters: {agreement}"
 
 

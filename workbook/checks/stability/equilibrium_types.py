@@ -19,7 +19,6 @@ from workbook.checks.stability.equilibrium_values import (
 from workbook.checks.stability.linearisation import STABILITY
 from workbook.checks.tools.wording import point_text, sample_text, tried_text, with_article
 
-KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
 TYPES = tuple(
     f"{stability} {noun}"
     for noun in ("node", "star", "degenerate node", "focus")
@@ -57,12 +56,13 @@ def equilibrium_stability(claim, field, state, parameters, domain=None):
 
 
 @judged
-def equilibrium_type(answer, field, state, parameters, domain=None):
-    """Check the type of the equilibrium of a planar system.
+def equilibrium_type(answer, field, state, parameters=None, domain=None):
+    """Check the type of the equilibrium of a planar system, the only one in the domain, or of all.
 
-    It is the same for all values of the parameters.
+    It is the same for all values of the parameters. Without the data `parameters` all equilibria of a
+    second-order equation are asked for: the answer is a dict {x*: word}. The words are `TYPES`.
 
-    Can decide when the domain holds one equilibrium, whose type its linearisation determines.
+    Can decide when every equilibrium that is meant has a type that its linearisation determines.
 
     Examples
     --------
@@ -71,13 +71,12 @@ def equilibrium_type(answer, field, state, parameters, domain=None):
     'right'
     >>> checks.equilibrium_type("stable node", [y, x], [x, y], []).status
     'wrong'
+    >>> checks.equilibrium_type({0: "stable focus", 2: "saddle", -2: "saddle"}, [y, x**3/4 - x - y], [x, y]).status
+    'right'
     """
-    spelled = (
-        answer.lower().replace("center", "centre").replace("star node", "star")
-        if isinstance(answer, str)
-        else answer
-    )
-    claim = coercion.as_choice(spelled, TYPES)
+    if parameters is None:
+        return _judge_all_types(answer, field, state)
+    claim = _read_type(answer)
     family = equilibria_of(field, state, parameters, domain)
     for values, numbers, point in family.samples():
         if claim != _type(family.jacobian(point, numbers)):
@@ -87,22 +86,15 @@ def equilibrium_type(answer, field, state, parameters, domain=None):
     return f"it agrees with the roots of the linearisation{tried_text(parameters)}"
 
 
-@judged
-def equilibrium_types(answer, field, state):
-    """Check the type of every equilibrium of a second-order equation, a dict {x*: word}.
+def _read_type(word):
+    """Return the word of `TYPES` that an answer is, in other spellings too."""
+    if isinstance(word, str):
+        word = word.lower().replace("center", "centre").replace("star node", "star")
+    return coercion.as_choice(word, TYPES)
 
-    The words are `KINDS`.
 
-    Can decide when every equilibrium has a type that its linearisation determines.
-
-    Examples
-    --------
-    >>> x, y = sp.symbols("x y", real=True)
-    >>> checks.equilibrium_types({0: "stable focus", 2: "saddle", -2: "saddle"}, [y, x**3/4 - x - y], [x, y]).status
-    'right'
-    >>> checks.equilibrium_types({0: "stable focus"}, [y, x**3/4 - x - y], [x, y]).status
-    'wrong'
-    """
+def _judge_all_types(answer, field, state):
+    """Judge the types of all equilibria of a second-order equation, named by their values x*."""
     ((_, family, numbers, equilibria),) = equilibria_within_reach(field, state)
     remaining = list(equilibria)
     pairs = list(answer.items()) if isinstance(answer, dict) else answer
@@ -112,7 +104,7 @@ def equilibrium_types(answer, field, state):
     ):
         raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
     for value, word in pairs:
-        kind = coercion.as_choice(word, KINDS)
+        kind = _read_type(word)
         claim = coercion.as_number(first_coordinate(value, state, ()))
         number = float(claim)
         matching = [point for point in equilibria if is_value(number, point[0], claim, {})]

@@ -17,7 +17,7 @@ from workbook.checks.tools.conditions import (
 )
 from workbook.checks.tools.samples import allowed_values, in_every_case, sample_values
 from workbook.checks.tools.values import number_at
-from workbook.checks.tools.wording import other_text, values_text
+from workbook.checks.tools.wording import other_text, rounded_text, values_text
 
 
 @judged(Expression("state", "parameters"))
@@ -51,17 +51,10 @@ def lyapunov_derivative(claim, function, field, state, parameters=()):
                 flow(point)
             ) + abs(true)
             if not abs(claimed - true) <= 1e-9 * size:
-                where = ", ".join(
-                    f"{s} = {v:.3g}"
-                    for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())]
-                )
+                quantity = "the rate at which the function changes along the motion"
                 raise Wrong(
-                    f"at {where} "
-                    + other_text(
-                        "the rate at which the function changes along the motion",
-                        claimed.real,
-                        true,
-                    )
+                    f"at {rounded_text(dict(zip(state, point)) | values)} "
+                    + other_text(quantity, claimed.real, true)
                 )
     return "it is the rate at which the function changes along the motions, at random states"
 

@@ -19,10 +19,7 @@ from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.samples import random_columns
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import left_open
-from workbook.checks.tools.wording import (
-    NO_NUMBER,
-    sample_text,
-)
+from workbook.checks.tools.wording import NO_NUMBER, rounded_text, sample_text
 
 
 @judged
@@ -59,7 +56,7 @@ def dulac_function(answer, field, state, parameters, domain=None):
         [multiplier], lambda parts: _values(sp.Add(*terms_of(*parts)), symbols, points)
     ) + left_open([divergence], lambda parts: _values(*parts, symbols, points))
     for k, point in enumerate(points.T):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, point))
+        where = rounded_text(dict(zip(symbols, point)))
         if not np.all(np.isfinite(parts[:, k])):
             raise Wrong(
                 f"at {where}, a point of the domain, your multiplier or its divergence is not a "
@@ -90,9 +87,8 @@ def dulac_function(answer, field, state, parameters, domain=None):
         low, high = points[:, np.argmin(signs)], points[:, np.argmax(signs)]
         raise Wrong(
             "the divergence changes its sign in the domain: it is negative at "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low))
-            + " and positive at "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, high))
+            f"{rounded_text(dict(zip(symbols, low)))} and positive at "
+            f"{rounded_text(dict(zip(symbols, high)))}"
         )
     judge_factors(terms, state, domain, "the divergence vanishes everywhere")
     return (
@@ -126,7 +122,7 @@ def first_integral(answer, field, state, parameters, domain=None):
         velocity = np.array([_values(component, symbols, points) for component in field])
     gradient = np.array(gradient)
     for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, k]))
+        where = rounded_text(dict(zip(symbols, points[:, k])))
         raise Wrong(
             f"at {where}, a point of the domain, your expression or a derivative of it is {NO_NUMBER}"
         )
@@ -144,9 +140,8 @@ def first_integral(answer, field, state, parameters, domain=None):
     worst = int(np.argmax(abs(rates) - allowed))
     if not abs(rates[worst]) <= allowed[worst] < math.inf:
         raise Wrong(
-            "along the motion through "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, worst]))
-            + f" your expression changes at the rate {rates[worst]:.4g}, not zero"
+            f"along the motion through {rounded_text(dict(zip(symbols, points[:, worst])))} your "
+            f"expression changes at the rate {rates[worst]:.4g}, not zero"
         )
     judge_factors(slopes, state, domain, "your expression does not depend on the state")
     return "it keeps its value along the motions, at random states"
@@ -160,6 +155,18 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
 
     Judged by its slope, which is that of the field everywhere, and by its limits at the points
     `through`.
+
+    Can decide when the domain bounds the first variable: slopes are compared at random points and
+    parameters.
+
+    Examples
+    --------
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> upper = {x: sp.Interval.open(-1, 1), y: sp.Interval.open(0, sp.oo)}
+    >>> checks.phase_curve(sp.sqrt(1 - x**2), [y, -x], [x, y], [], [(1, 0)], upper).status
+    'right'
+    >>> checks.phase_curve(1 - x**2, [y, -x], [x, y], [], [(1, 0)], upper).status
+    'wrong'
     """
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])

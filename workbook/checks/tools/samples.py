@@ -44,7 +44,7 @@ def _fixed(data):
     return tuple(map(_fixed, data)) if isinstance(data, (list, tuple)) else data
 
 
-def sample_values(parameters, count=6, seed=5):
+def sample_values(parameters, count=6):
     """Return rational values for parameters, of both signs if their assumptions allow.
 
     Parameters
@@ -53,8 +53,6 @@ def sample_values(parameters, count=6, seed=5):
         The parameters.
     count : int
         The number of samples.
-    seed : int
-        Seed of the random numbers.
 
     Returns
     -------
@@ -62,7 +60,7 @@ def sample_values(parameters, count=6, seed=5):
         Among any four that follow one another from the first on, a parameter has sizes below and above
         one, of either sign.
     """
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(5)
     samples = []
     for k in range(count):
         if k % 4 == 0:
@@ -317,23 +315,23 @@ def conjunction(conditions):
     return sp.And(*conditions) if isinstance(conditions, (list, tuple)) else conditions
 
 
-def random_values(symbols, seed, count=6):
+def random_values(symbols, seed):
     """Yield random positive values of all symbols, of size one, small and large ones for each."""
     random = np.random.default_rng(seed)
-    columns = [log_spread(random, 0.4, 2.5, count) for _ in symbols]
-    for k in range(count):
+    columns = [log_spread(random, 0.4, 2.5, 6) for _ in symbols]
+    for k in range(6):
         yield {symbol: float(column[k]) for symbol, column in zip(symbols, columns)}
 
 
-def signed_values(symbols, positive=(), count=8):
+def signed_values(symbols, positive=()):
     """Return values of both signs for symbols in general position, small and large ones."""
     random = np.random.default_rng(29)
     columns = {
-        s: log_spread(random, 0.3, 3.0, count)
-        * (1 if s in positive or s.is_positive else random.permutation([1, -1] * (count // 2)))
+        s: log_spread(random, 0.3, 3.0, 8)
+        * (1 if s in positive or s.is_positive else random.permutation([1, -1] * 4))
         for s in symbols
     }
-    return [{s: float(column[k]) for s, column in columns.items()} for k in range(count)]
+    return [{s: float(column[k]) for s, column in columns.items()} for k in range(8)]
 
 
 def log_spread(random, low, high, count):

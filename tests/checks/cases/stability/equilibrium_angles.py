@@ -19,27 +19,27 @@ SADDLE_AT = (("kind", "saddle"), ("angle", at))
 STABLE_AT = (("kind", "asymptotically stable"), ("angle", at))
 
 CASES = [
-    Case("equilibrium_exists", sp.Abs(m) <= g, TURNED, "right", "by the modulus"),
+    Case("equilibrium_condition", sp.Abs(m) <= g, TURNED, "right", "by the modulus"),
     Case(
-        "equilibrium_exists",
+        "equilibrium_condition",
         [m <= g, -sp.Symbol("g") <= sp.Symbol("m")],
         TURNED,
         "right",
         "a list, plain symbols",
     ),
     Case(
-        "equilibrium_exists",
+        "equilibrium_condition",
         sp.Interval(-1, 1),
         ([rate, m - sp.sin(phi)], [phi, rate], [m, c]),
         "right",
         "a set of values of the first parameter",
     ),
-    Case("equilibrium_exists", True, PUMPED, "right", "always"),
-    Case("equilibrium_exists", sp.Abs(m) < g, TURNED, "wrong", "the border left out"),
-    Case("equilibrium_exists", m <= g, TURNED, "wrong", "one side only"),
-    Case("equilibrium_exists", 2 * sp.Abs(m) <= g, TURNED, "wrong", "a factor"),
-    Case("equilibrium_exists", ..., TURNED, "missing", "the untouched stub"),
-    Case("equilibrium_exists", 1, TURNED, "invalid", "a number"),
+    Case("equilibrium_condition", True, PUMPED, "right", "always"),
+    Case("equilibrium_condition", sp.Abs(m) < g, TURNED, "wrong", "the border left out"),
+    Case("equilibrium_condition", m <= g, TURNED, "wrong", "one side only"),
+    Case("equilibrium_condition", 2 * sp.Abs(m) <= g, TURNED, "wrong", "a factor"),
+    Case("equilibrium_condition", ..., TURNED, "missing", "the untouched stub"),
+    Case("equilibrium_condition", 1, TURNED, "invalid", "a number"),
     Case(
         "equilibrium_values",
         [BOTTOM + 2 * sp.pi * n, TOP + 2 * sp.pi * n],

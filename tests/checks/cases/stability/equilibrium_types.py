@@ -9,36 +9,36 @@ PORTRAIT = (SOFT[0].subs({a: 1, b: -sp.Rational(1, 25)}), [x, y])
 
 CASES = [
     Case(
-        "equilibrium_types",
+        "equilibrium_type",
         {0: "stable focus", 5: "saddle", -5: "saddle"},
         PORTRAIT,
         "right",
         "a dict",
     ),
     Case(
-        "equilibrium_types",
+        "equilibrium_type",
         [[5.0, "Saddle"], [-5, "saddle"], [(0, 0), "stable-focus"]],
         PORTRAIT,
         "right",
         "pairs, a point among them",
     ),
     Case(
-        "equilibrium_types",
+        "equilibrium_type",
         {0: "stable node", 5: "saddle", -5: "saddle"},
         PORTRAIT,
         "wrong",
         "node for focus",
     ),
-    Case("equilibrium_types", {0: "stable focus", 5: "saddle"}, PORTRAIT, "wrong", "one left out"),
+    Case("equilibrium_type", {0: "stable focus", 5: "saddle"}, PORTRAIT, "wrong", "one left out"),
     Case(
-        "equilibrium_types",
+        "equilibrium_type",
         {0: "stable focus", 25: "saddle", -25: "saddle"},
         PORTRAIT,
         "wrong",
         "no equilibria",
     ),
     Case(
-        "equilibrium_types",
+        "equilibrium_type",
         {0: "stable", 5: "unstable", -5: "unstable"},
         PORTRAIT,
         "invalid",

@@ -18,6 +18,7 @@ SIMPLE = (("zeros", [x * (x - 1), y - x]),)
 PASS = sp.Matrix([[1, 0], [-3, 3]])
 STABLE = (("kind", "asymptotically stable"),)
 UNSTABLE = (("kind", "unstable"),)
+UNIQUE = (("kind", "unique"),)
 
 CASES = [
     Case(
@@ -251,12 +252,12 @@ CASES = [
         "the sign of the hanging pendulum",
     ),
     Case("growth_rate", [SADDLE], PENDULUM[:4], "invalid", "a list"),
-    Case("unique_equilibrium", b >= 0, ANY, "right", "zero counted in"),
-    Case("unique_equilibrium", sp.Interval(0, sp.oo), ANY, "right", "an interval"),
-    Case("unique_equilibrium", b > 0, ANY, "wrong", "the linear spring left out"),
-    Case("unique_equilibrium", b < 0, ANY, "wrong", "the other sign"),
-    Case("unique_equilibrium", True, ANY, "wrong", "always"),
-    Case("unique_equilibrium", 0, ANY, "invalid", "a number"),
+    Case("equilibrium_condition", b >= 0, ANY, "right", "zero counted in", UNIQUE),
+    Case("equilibrium_condition", sp.Interval(0, sp.oo), ANY, "right", "an interval", UNIQUE),
+    Case("equilibrium_condition", b > 0, ANY, "wrong", "the linear spring left out", UNIQUE),
+    Case("equilibrium_condition", b < 0, ANY, "wrong", "the other sign", UNIQUE),
+    Case("equilibrium_condition", True, ANY, "wrong", "always", UNIQUE),
+    Case("equilibrium_condition", 0, ANY, "invalid", "a number", UNIQUE),
 ]
 LIMITS = [
     "Values are compared between -12 and 12 for a few samples of the parameters, with those that a "

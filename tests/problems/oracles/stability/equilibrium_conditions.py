@@ -12,6 +12,8 @@ def condition(mutant, reference, field, state, parameters, domain=None, kind=Non
     """By what is given: a condition on an angle, on parameters with a domain, or on all angles."""
     if angle is not None:
         return angle_condition(mutant, reference, angle)
+    if kind in (None, "unique"):
+        return planar_region(mutant, reference, field, state, parameters, domain)
     if domain is None:
         return kind_of_angles(mutant, reference, field, state, parameters)
     return planar_region(mutant, reference, field, state, parameters, domain)
@@ -80,4 +82,4 @@ def planar_region(mutant, reference, field, state, parameters, domain=None):
     )
 
 
-ORACLES = {"equilibrium_condition": condition, "equilibrium_exists": planar_region}
+ORACLES = {"equilibrium_condition": condition}

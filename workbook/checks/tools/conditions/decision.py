@@ -3,6 +3,11 @@
 Jovanovic and de Moura 2012. A question has a fixed number of z3's own steps, so the same one always
 ends the same way. Where it is undecided, or z3 absent, `cell_search` is asked. A difference is
 evaluated again, exactly, before it is reported: "wrong" never rests on a solver.
+
+Both have a place, by `benchmarks/deciders.py`: a page has no z3, and cells leave 5 of 144 conditions to
+samples, in four to six symbols, for which they take 1.4 to 3.3 s and z3 at most 0.2 s. Elsewhere the
+medians are 12 to 26 ms by z3 and 5 to 105 ms by cells. The numbers that several decimals stand for
+are found by z3 in three tests of `test_conditions.py` where cells do not find them.
 """
 
 import functools
@@ -175,14 +180,10 @@ def _confirmed(point, readings, parameters, case, holds, reference):
 
 def _simplified(point, readings, parameters, case, holds, reference):
     """Return a confirmed difference at values of the parameters as simple as possible, or None."""
-    confirm = functools.partial(
-        _confirmed,
-        readings=readings,
-        parameters=parameters,
-        case=case,
-        holds=holds,
-        reference=reference,
-    )
+
+    def confirm(point):
+        return _confirmed(point, readings, parameters, case, holds, reference)
+
     if not confirm(point):
         return None
     # With unknowns every coordinate hangs on the others, so the point stays as it is.
