@@ -3,9 +3,9 @@
     python book/pdf.py [CHAPTER ...]      for example: python book/pdf.py 1 5
 
 Chromium prints each page of the site, a problem's page in two parts: its statement, and its hints and solution
-for the appendix of the chapter. Each of these parts begins on the sheet on which the same part of the
-problem before it ends, if there is room. Then the pages of a document are joined: a link to another of
-them leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
+for the appendix of the chapter. Within a chapter a page begins on the sheet on which the page before it
+ends, if there is room, and a solution likewise. Then the pages of a document are joined: a link to another
+of them leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
 """
 
 import base64
@@ -38,7 +38,7 @@ TEXT_WIDTH = (WIDTH - MARGINS["marginLeft"] - MARGINS["marginRight"]) * 96 / SCA
 STYLE = (ROOT / "book" / "pdf.css").read_text("utf-8")
 #: What pages have on paper beyond the site's own style for print.
 PAGE_STYLE = (ROOT / "book" / "pdf_pages.css").read_text("utf-8")
-#: A problem begins below another if that ends above this height; the space between them, in inches.
+#: A page begins below another if that ends above this height; the space between them, in inches.
 LOWEST_BEGIN, SPACE = 7.6, 0.35
 #: Anchors at the title of a page and below its last line.
 BEGIN, END = "sheet-begin", "sheet-end"
@@ -52,9 +52,10 @@ FONTS = re.findall(
 SOLUTION = "solution"
 #: Links to functions of the library, whose pages are not printed.
 LIBRARY = ".used-in"
-#: What is not printed in each part of a problem's page; "" is the statement.
+#: What is not printed of a page, and of the two parts of a problem's page.
 HIDDEN = {
-    "": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
+    "page": LIBRARY,
+    "statement": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
     SOLUTION: f"{LIBRARY}, .problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
 }
 
@@ -182,17 +183,19 @@ class Printer:
                 SOLUTION,
                 [BEGIN, END],
             )
-            if page.is_problem:
-                parts = {part: self._problem(part) for part in HIDDEN}
-            else:
-                parts, self.begin = {"": (self._part("page", LIBRARY),)}, {}
-            self.printed[page.name] = parts
+            if page.level == 0:
+                self.begin = {}
+            self.printed[page.name] = (
+                {"": self._below("statement", ""), SOLUTION: self._below(SOLUTION, SOLUTION)}
+                if page.is_problem
+                else {"": self._below("page", "")}
+            )
         return Printed(*self.printed[page.name][page.part])
 
-    def _problem(self, part):
-        """Return the PDF of a part of the open problem, and whether it begins below that of another."""
+    def _below(self, kind, part):
+        """Return the PDF of a part of the open page, and whether it begins below that of another page."""
         begin = self.begin.get(part, 0)
-        pdf = self._part(part or "statement", HIDDEN[part], begin)
+        pdf = self._part(kind, begin)
         printed = Printed(pdf)
         sheet, top = printed.positions[END]
         end = HEIGHT - top / 72 - MARGINS["marginTop"]
@@ -200,12 +203,12 @@ class Printer:
         self.begin[part] = end + SPACE if has_room else 0
         return pdf, begin > 0
 
-    def _part(self, name, hidden, begin=0):
-        """Return the PDF of the open page without some elements of its article, from a height on."""
+    def _part(self, kind, begin):
+        """Return the PDF of a part of the open page, from a height on."""
         self.driver.execute_script(
             """
-            const [name, css, begin, column] = arguments, article = document.querySelector('article');
-            document.documentElement.dataset.part = name;
+            const [kind, css, begin, column] = arguments, article = document.querySelector('article');
+            document.documentElement.dataset.part = kind;
             const style = new CSSStyleSheet();
             style.replaceSync(css);
             document.adoptedStyleSheets = [style];
@@ -220,8 +223,8 @@ class Printer:
                     if (node.getBoundingClientRect().width > shrinks*column)
                         (node.closest(boxes) ?? node).classList.add('across');
             article.classList.remove('measured');""",
-            name,
-            f"{PAGE_STYLE} article :is({hidden}) {{ display: none !important }}",
+            kind,
+            f"{PAGE_STYLE} article :is({HIDDEN[kind]}) {{ display: none !important }}",
             begin * 96 / SCALE,
             TEXT_WIDTH / 2 - 14,
         )
