@@ -3,8 +3,9 @@
     python book/pdf.py [CHAPTER ...]      for example: python book/pdf.py 1 5
 
 Chromium prints each page of the site, a problem's page in two parts: its statement, and its hints and solution
-for the appendix of the chapter. Then the pages of a document are joined: a link to another of them
-leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
+for the appendix of the chapter. Within a chapter a page begins on the sheet on which the page before it
+ends, if there is room, and a solution likewise. Then the pages of a document are joined: a link to another
+of them leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
 """
 
 import base64
@@ -21,7 +22,7 @@ from urllib.parse import unquote, urldefrag, urljoin, urlsplit
 
 import yaml
 from pypdf import PdfReader, PdfWriter
-from pypdf.generic import ArrayObject, FloatObject, NameObject, NullObject
+from pypdf.generic import ArrayObject, Fit, FloatObject, NameObject, NullObject
 
 ROOT = Path(__file__).resolve().parent.parent
 SITE = ROOT / "_build" / "html"
@@ -31,9 +32,16 @@ BACK_MATTER = ["book/conventions", "book/glossary", "book/errata/index", "book/b
 #: Sides of A4 and the margins round the text, in inches as Chromium takes them.
 WIDTH, HEIGHT = 8.27, 11.69
 MARGINS = {"marginTop": 0.95, "marginBottom": 0.85, "marginLeft": 0.8, "marginRight": 0.8}
-#: Text of the site is 18 px high; on paper it is set in 11 points.
+#: Text of the site is 18 px high; on paper it is set in 11 points, on so many pixels of the site.
 SCALE = 0.8
+TEXT_WIDTH = (WIDTH - MARGINS["marginLeft"] - MARGINS["marginRight"]) * 96 / SCALE
 STYLE = (ROOT / "book" / "pdf.css").read_text("utf-8")
+#: What pages have on paper beyond the site's own style for print.
+PAGE_STYLE = (ROOT / "book" / "pdf_pages.css").read_text("utf-8")
+#: A page begins below another if that ends above this height; the space between them, in inches.
+LOWEST_BEGIN, SPACE = 7.6, 0.35
+#: Anchors at the title of a page and below its last line.
+BEGIN, END = "sheet-begin", "sheet-end"
 #: The fonts of the site, of which the first rules of its style tell.
 FONTS = re.findall(
     r"@font-face .*", (ROOT / "book" / "_static" / "workbook.css").read_text("utf-8")
@@ -44,9 +52,10 @@ FONTS = re.findall(
 SOLUTION = "solution"
 #: Links to functions of the library, whose pages are not printed.
 LIBRARY = ".used-in"
-#: What is not printed in each part of a problem's page; "" is the statement.
+#: What is not printed of a page, and of the two parts of a problem's page.
 HIDDEN = {
-    "": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
+    "page": LIBRARY,
+    "statement": f"{LIBRARY}, .solution, .tag_check, .common-mistakes, .to-statement, .hint, .hints",
     SOLUTION: f"{LIBRARY}, .problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
 }
 
@@ -67,6 +76,33 @@ class Page:
     @property
     def is_problem(self):
         return self.name.startswith("solutions/")
+
+
+class Printed:
+    """The PDF of a page; whether its first sheet is laid over the last one of the page before it."""
+
+    def __init__(self, pdf, runs_on=False):
+        self.sheets, self.runs_on = PdfReader(io.BytesIO(pdf)), runs_on
+        #: The number of sheets with text: space below the last line may take a sheet of its own.
+        self.length = len(self.sheets.pages)
+        while self.length > 1 and not self.sheets.pages[self.length - 1].extract_text().strip():
+            self.length -= 1
+        #: anchor -> number of the sheet and the height there, in points
+        self.positions = {
+            anchor.lstrip("/"): (self.sheets.get_destination_page_number(found), _height(found.top))
+            for anchor, found in self.sheets.named_destinations.items()
+        }
+
+    @property
+    def first(self):
+        """The number of the sheet with the title and its height there."""
+        return self.positions.get(BEGIN, (0, None))
+
+
+def _height(top):
+    """Return the height of a destination on its sheet: Chromium gives it without the scale and the margin."""
+    height = 72 * HEIGHT
+    return height - 72 * MARGINS["marginTop"] - SCALE * (height - top)
 
 
 def title_of(name):
@@ -105,9 +141,12 @@ class Printer:
     def __init__(self, driver):
         self.driver = driver
         self.printed = {}  # chapters and the book share their pages
+        self.begin = {}  # part -> inches from the top at which that of the next problem begins
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        driver.set_window_size(round(TEXT_WIDTH), 1200)
 
     def print(self, page, anchors):
-        """Return the PDF of a page, in the light theme; the anchors become named destinations."""
+        """Print a page in the light theme; the anchors become named destinations."""
         if page.name not in self.printed:
             self.driver.get(page.address)
             # Chromium keeps the position of an element only if a link of the same page leads to it, and
@@ -115,10 +154,13 @@ class Printer:
             self.driver.execute_async_script(
                 """
                 document.documentElement.dataset.theme = 'light';
-                const links = document.createElement('div');
+                const links = document.createElement('div'), article = document.querySelector('article');
                 for (const anchor of arguments[0])
                     links.appendChild(document.createElement('a')).href = '#' + anchor;
-                document.querySelector('article').append(links);
+                const [begin, end] = arguments[2];
+                links.id = end;
+                article.append(links);
+                article.querySelector('h1').insertAdjacentHTML('afterbegin', `<span id=${begin}></span>`);
                 document.querySelector('.problem-head')?.insertAdjacentHTML('beforebegin',
                     `<p class=to-solution><a href="?#${arguments[1]}">Solution</a></p>
                      <p class=to-statement><a href="${location.pathname}">Problem</a></p>`);
@@ -136,24 +178,55 @@ class Printer:
                     if (hints.childElementCount) hints.insertAdjacentHTML('afterbegin', '<h2>Hints</h2>');
                     document.querySelector('.problem-head')?.before(hints);
                     return document.fonts.ready;
-                }).then(arguments[2]);""",
-                sorted(anchors),
+                }).then(arguments[3]);""",
+                sorted({*anchors, BEGIN, END}),
                 SOLUTION,
+                [BEGIN, END],
             )
-            self.printed[page.name] = {
-                part: self._part(hidden)
-                for part, hidden in (HIDDEN if page.is_problem else {"": LIBRARY}).items()
-            }
-        return PdfReader(io.BytesIO(self.printed[page.name][page.part]))
+            if page.level == 0:
+                self.begin = {}
+            self.printed[page.name] = (
+                {"": self._below("statement", ""), SOLUTION: self._below(SOLUTION, SOLUTION)}
+                if page.is_problem
+                else {"": self._below("page", "")}
+            )
+        return Printed(*self.printed[page.name][page.part])
 
-    def _part(self, hidden):
-        """Return the PDF of the open page without some elements of its article."""
+    def _below(self, kind, part):
+        """Return the PDF of a part of the open page, and whether it begins below that of another page."""
+        begin = self.begin.get(part, 0)
+        pdf = self._part(kind, begin)
+        printed = Printed(pdf)
+        sheet, top = printed.positions[END]
+        end = HEIGHT - top / 72 - MARGINS["marginTop"]
+        has_room = sheet == printed.length - 1 and end < LOWEST_BEGIN
+        self.begin[part] = end + SPACE if has_room else 0
+        return pdf, begin > 0
+
+    def _part(self, kind, begin):
+        """Return the PDF of a part of the open page, from a height on."""
         self.driver.execute_script(
             """
+            const [kind, css, begin, column] = arguments, article = document.querySelector('article');
+            document.documentElement.dataset.part = kind;
             const style = new CSSStyleSheet();
-            style.replaceSync(`article :is(${arguments[0]}) { display: none !important }`);
-            document.adoptedStyleSheets = [style];""",
-            hidden,
+            style.replaceSync(css);
+            document.adoptedStyleSheets = [style];
+            article.querySelector('.space-above')?.remove();
+            if (begin) article.insertAdjacentHTML('afterbegin',
+                `<div class=space-above style="height: ${begin}px"></div>`);
+            // what is too wide for a column stands across both; a picture and a formula may be made smaller
+            const boxes = '.cell_output, figure, div.math, .pst-scrollable-table-container';
+            article.classList.add('measured');
+            for (const [kind, shrinks] of [['table', 1], ['div.math svg', 1.2], ['.output :is(img, svg)', 1.7]])
+                for (const node of article.querySelectorAll(kind))
+                    if (node.getBoundingClientRect().width > shrinks*column)
+                        (node.closest(boxes) ?? node).classList.add('across');
+            article.classList.remove('measured');""",
+            kind,
+            f"{PAGE_STYLE} article :is({HIDDEN[kind]}) {{ display: none !important }}",
+            begin * 96 / SCALE,
+            TEXT_WIDTH / 2 - 14,
         )
         return self._pdf(MARGINS | {"scale": SCALE})
 
@@ -167,7 +240,7 @@ class Printer:
             )
             self.driver.get(file.as_uri())
             self.driver.execute_async_script("document.fonts.ready.then(arguments[0])")
-            return PdfReader(io.BytesIO(self._pdf({"preferCSSPageSize": True})))
+            return Printed(self._pdf({"preferCSSPageSize": True}))
 
     def _pdf(self, options):
         size = {"paperWidth": WIDTH, "paperHeight": HEIGHT, "printBackground": True}
@@ -219,14 +292,6 @@ def _target(base, href):
     return str(path.relative_to(SITE).with_suffix("")), unquote(anchor)
 
 
-def length(printed):
-    """Return the number of sheets with text: space below the last line may take a sheet of its own."""
-    count = len(printed.pages)
-    while count > 1 and not printed.pages[count - 1].extract_text().strip():
-        count -= 1
-    return count
-
-
 class Document:
     """Printed pages, joined in their order."""
 
@@ -234,37 +299,45 @@ class Document:
         self.writer = PdfWriter()
         self.positions = {}  # (page, anchor) -> number of the sheet and the height on it
         self.heads = []  # the running heads of the sheets: left, right
-        self.links = []  # the sheets with the page that they belong to
+        self.links = []  # of each sheet the pages to which its links belong
 
     def append(self, page, printed, chapter):
-        """Append a page under its chapter's running head."""
-        first, count = len(self.writer.pages), length(printed)
-        self.positions[page.name, page.part] = first, None
-        for anchor, position in printed.named_destinations.items():
-            sheet = min(printed.get_destination_page_number(position), count - 1)
-            self.positions.setdefault(
-                (page.name, anchor.lstrip("/")), (first + sheet, position.top)
-            )
-        self.writer.append(printed, pages=(0, count), import_outline=False)
+        """Append a page under its chapter's running head; a sheet that it shares keeps the one it has."""
+        shared, count = int(printed.runs_on), printed.length
+        first = len(self.writer.pages) - shared
+        sheet, top = printed.first
+        self.positions[page.name, page.part] = first + sheet, top
+        for anchor, (sheet, top) in printed.positions.items():
+            self.positions.setdefault((page.name, anchor), (first + min(sheet, count - 1), top))
+        if shared:
+            self.writer.pages[first].merge_page(printed.sheets.pages[0])
+        self.writer.append(printed.sheets, pages=(shared, count), import_outline=False)
         title = f"Solution of {page.title}" if page.part else page.title
-        self.heads += [(chapter, title if title != chapter else "")] * count
-        self.links += [page] * count
+        self.heads += [(chapter, title if title != chapter else "")] * (count - shared)
+        self.links += [[] for _ in range(count - shared)]
+        for sheet, pages in zip(list(self.writer.pages)[first:], self.links[first:], strict=True):
+            pages += [page] * (len(sheet.get("/Annots", [])) - len(pages))
 
     def bookmark(self, pages):
         """Make the titles of the pages bookmarks, each under the last one of a lower level."""
         parents = {-1: None}
         for page in pages:
-            sheet, _ = self.positions[page.name, page.part]
+            sheet, top = self.positions[page.name, page.part]
             parents[page.level] = self.writer.add_outline_item(
-                title=page.title, page_number=sheet, parent=parents[page.level - 1]
+                title=page.title,
+                page_number=sheet,
+                parent=parents[page.level - 1],
+                fit=Fit.xyz(top=top) if top else Fit.fit(),
             )
 
     def connect(self):
         """Let every link to a page of the document lead to its sheet; links to other pages end."""
-        for sheet, page in zip(self.writer.pages, self.links, strict=True):
+        for sheet, pages in zip(self.writer.pages, self.links, strict=True):
             annotations = [a.get_object() for a in sheet.get("/Annots", [])]
             sheet[NameObject("/Annots")] = ArrayObject(
-                self.writer._add_object(a) for a in annotations if self._connect(a, page)
+                self.writer._add_object(annotation)
+                for annotation, page in zip(annotations, pages, strict=True)
+                if self._connect(annotation, page)
             )
 
     def _connect(self, link, page):
@@ -298,7 +371,7 @@ class Document:
             for number, (left, right) in enumerate(self.heads[1:], 2)
         )
         overlay = printer.typeset(sheets)
-        for sheet, head in zip(list(self.writer.pages)[1:], overlay.pages, strict=True):
+        for sheet, head in zip(list(self.writer.pages)[1:], overlay.sheets.pages, strict=True):
             sheet.merge_page(head)
             sheet.compress_content_streams()
 
@@ -347,10 +420,10 @@ def join(printer, title, groups, anchors, path):
     # the numbers of sheets depend on the length of the contents, which does not depend on them:
     # they stand in a column of their own
     sheets, number = dict.fromkeys(chapter_of, ""), 1
-    lengths = {page: length(printed(page, sheets)) for page in chapter_of}
-    for page, count in lengths.items():
-        sheets[page] = number
-        number += count
+    for page in chapter_of:
+        draft = printed(page, dict.fromkeys(chapter_of, ""))
+        sheets[page] = number - draft.runs_on + draft.first[0]
+        number += draft.length - draft.runs_on
     document = Document()
     for page, chapter in chapter_of.items():
         document.append(page, printed(page, sheets), chapter)

@@ -51,6 +51,11 @@ MEASURED = """(() => {
   }
   return [smallest, Math.max(0, right - left)*Math.max(0, bottom - top)/innerWidth/innerHeight];
 })()"""
+#: What has a vertical scroll bar within a slide.
+SCROLLED = f"""[...{SLIDE}.querySelectorAll("*")].filter(node =>
+  /auto|scroll/.test(getComputedStyle(node).overflowY) && node.clientHeight > 5
+  && node.scrollHeight > node.clientHeight + 1
+).map(node => node.className)"""
 CELLS = "[...document.querySelectorAll('.jp-Notebook .jp-CodeCell')]"
 
 
@@ -131,6 +136,7 @@ def test_a_lecture_plays_as_slides(slug, screen, lecture, browser):
                 f"{SLIDE}.scrollHeight <= {SLIDE}.clientHeight + 1 && "
                 f"{SLIDE}.scrollWidth <= {SLIDE}.clientWidth + 1"
             ), text
+            assert browser.run(SCROLLED) == [], text
             smallest, share = browser.run(MEASURED)
             assert smallest is None or smallest >= SMALLEST_TYPE * text_size, (smallest, text)
             assert share > LEAST_INK, f"{slide} is empty: {text}"

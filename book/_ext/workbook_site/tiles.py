@@ -24,6 +24,9 @@ STILL = re.compile(r'<img class="explorer-still"[^>]* src="data:image/svg\+xml;b
 BLACK, INK = "#000000", "#1d2530"
 #: Width and height of a picture.
 SIZE = re.compile(r"""viewBox=["']\S+ \S+ ([\d.]+) ([\d.]+)""")
+#: The left and the right end of a panel that Matplotlib drew, and room for half a number beside it.
+PANEL = re.compile(r'<g id="axes_\d+">\s*<g id="patch_\d+">\s*<path d="M ([\d.]+) \S+\s+L ([\d.]+)')
+BESIDE = 10
 
 
 class Tiles(SphinxDirective):
@@ -84,7 +87,7 @@ def picture_of(env, page):
             for picture in pictures:
                 file = Path(env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
                 file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_text(picture, encoding="utf-8")
+                file.write_text(_first_panel(picture), encoding="utf-8")
                 return file.relative_to(env.srcdir).as_posix()
     return None
 
@@ -99,6 +102,16 @@ def _pictures(notebook):
     return list(filter(SIZE.search, drawn)) or [
         b64decode(still[1]).decode("utf-8").replace(BLACK, INK) for still in stills if still
     ]
+
+
+def _first_panel(picture):
+    """Return of panels side by side the first, with nothing of the second."""
+    panels = [tuple(map(float, ends)) for ends in PANEL.findall(picture)]
+    if not is_wide(picture) or len(panels) < 2 or panels[0][1] > panels[1][0]:
+        return picture
+    width, height = panels[0][1] + BESIDE, float(SIZE.search(picture)[2])
+    sizes = f'width="{width}pt" height="{height}pt" viewBox="0 0 {width} {height}"'
+    return re.sub(r'width="\S+" height="\S+" viewBox="[^"]+"', sizes, picture, count=1)
 
 
 def is_wide(picture):
