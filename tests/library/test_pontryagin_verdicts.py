@@ -411,6 +411,8 @@ def test_closed_trajectories_of_negative_cost(problem, change):
         (Problem({x: y, y: u - y}, ONE, *ENDS, running=1 - y**2 / 2), 1.880098599),
         # The longest time is given.
         (Problem(PLANT, ONE, *ENDS, running=-(y**2), duration=(2, 4)), -R(19, 12)),
+        # The first guesses lead to a saddle, from which shifted switchings lead away.
+        (Problem(PLANT, ONE, *ENDS, running=-(y**2), duration=4), -R(19, 12)),
         # Every process costs the same, and so does every loop: nothing.
         (Problem({x: u}, ONE, {x: 0}, [x - 1], running=1 - x * u), R(1, 2)),
     ],
