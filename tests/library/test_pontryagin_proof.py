@@ -9,6 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from trajlib.pontryagin import Problem
+from trajlib.pontryagin.verification.enclosed_extremal import EnclosedExtremal
 from trajlib.pontryagin.verification.proof import prove
 from trajlib.typesetting import typeset
 
@@ -21,6 +22,8 @@ CARRIAGE, OSCILLATOR = {x1: x2, x2: u}, {x1: x2, x2: -x1 + u}
 TRIPLE = Problem({x1: x2, x2: x3, x3: u}, ONE, {x1: 1, x2: 0, x3: 0}, [x1, x2, x3])
 # Of the root of 8 s^3 = 4: a third of the way up, s, 2 s, s.
 EDGE = sp.cbrt(4) / 2
+# Of the interior arc, from 10 (1/8 - h^2/6) = 1.
+HALF = sp.sqrt(15) / 10
 
 
 def carriage(a=1, b=0):
@@ -85,6 +88,19 @@ PROVED = {
         2,
         [1],
     ),
+    "a singular arc from the start": (
+        Problem({x: u}, ONE, {x: 0}, [x - R(1, 2)], running=x**2, duration=2),
+        R(1, 24),
+        2,
+        [R(3, 2)],
+    ),
+    # u is odd about t = 1/2, with the slope 5/h there.
+    "an interior arc between bounds": (
+        Problem(CARRIAGE, {u: (-5, 5)}, {x1: 1, x2: 0}, [x1, x2], running=u**2, duration=1),
+        25 - 100 * HALF / 3,
+        1,
+        [R(1, 2) - HALF, R(1, 2) + HALF],
+    ),
     "a free start": (
         Problem({x: u}, FREE, {x: None}, [x - 1], running=x**2 + u**2, duration=1),
         sp.tanh(1),
@@ -112,6 +128,20 @@ def test_closed_forms_lie_in_the_enclosures(name):
         list(extremal.costate(0)), abs=1e-9
     )
     assert typeset(proof.cost.text) in proof._repr_markdown_()
+
+
+def test_signs_are_proved_up_to_the_ends_of_an_arc():
+    """On the first arc of the carriage, which lasts 1, x2 = -t."""
+    extremal = carriage().solve()
+    enclosed = EnclosedExtremal(carriage(), extremal.arcs, extremal.state(0), extremal.costate(0))
+    lengths, nodes = enclosed._enclosed()
+
+    def positive(slope, constant):
+        row = sp.Matrix([[0, slope, 0, 0, constant]])
+        return enclosed._positive(row, 0, nodes[0], nodes[1], lengths[0])
+
+    assert positive(1, R(21, 20)) and positive(-1, R(1, 20))
+    assert not positive(1, R(19, 20)) and not positive(-1, -R(1, 20))
 
 
 rationals = st.fractions(-10, 10, max_denominator=50)

@@ -379,6 +379,48 @@ def test_least_time_without_bounds_is_not_attained():
         Problem({x: y, y: u}, FREE, {x: 0, y: 0}, [x - 1, y]).solve()
 
 
+PLANT, ENDS = {x: y, y: u}, ({x: 0, y: 0}, [x - 1, y])
+
+
+@pytest.mark.parametrize(
+    "problem, change",
+    [
+        # Back and forth, ever longer or again and again; the shortest process is a local minimum.
+        (Problem(PLANT, ONE, *ENDS, running=-(y**2)), "falls .* adds -"),
+        (Problem(PLANT, ONE, *ENDS, running=y**2, maximise=True), "rises .* adds [0-9]"),
+        (Problem(PLANT, ONE, *ENDS, running=1 - y**2), "falls .* after the time 8 adds -2.67 "),
+        (Problem(PLANT, ONE, ENDS[0], [x - 1], running=1 - y**2), "falls .* adds -"),
+        (Problem(PLANT, FREE, *ENDS, running=1 + u**2 - y**2), "falls .* adds -"),
+        (Problem(PLANT, ONE, *ENDS, running=x), "falls .* adds -"),
+        (Problem(PLANT, ONE, *ENDS, running=1 - 2 * x * y - x**2), "falls .* adds -"),
+        (Problem({x: u}, ONE, {x: 0}, [x - 1], running=1 - x**2), "falls .* adds -"),
+        (Problem({x: y, y: u - y}, ONE, *ENDS, running=R(1, 4) - y**2), "falls .* adds -"),
+    ],
+)
+def test_closed_trajectories_of_negative_cost(problem, change):
+    with pytest.raises(Unbounded, match=f"the cost {change}.* any number of times"):
+        problem.solve()
+
+
+@pytest.mark.parametrize(
+    "problem, cost",
+    [
+        # t^2/2 = 1/2 at speed t, there and back: 2 - 2/4 int_0^1 t^2 dt; a loop costs 3/4 a unit of time.
+        (Problem(PLANT, ONE, *ENDS, running=1 - y**2 / 4, path=[y <= 1, y >= -1]), R(11, 6)),
+        # |y| <= 1 follows from the plant alone.
+        (Problem({x: y, y: u - y}, ONE, *ENDS, running=1 - y**2 / 2), 1.880098599),
+        # The longest time is given.
+        (Problem(PLANT, ONE, *ENDS, running=-(y**2), duration=(2, 4)), -R(19, 12)),
+        # The first guesses lead to a saddle, from which shifted switchings lead away.
+        (Problem(PLANT, ONE, *ENDS, running=-(y**2), duration=4), -R(19, 12)),
+        # Every process costs the same, and so does every loop: nothing.
+        (Problem({x: u}, ONE, {x: 0}, [x - 1], running=1 - x * u), R(1, 2)),
+    ],
+)
+def test_running_costs_that_may_be_negative_with_a_best_process(problem, cost):
+    assert problem.solve().cost == pytest.approx(float(cost), rel=1e-9)
+
+
 def crane(distance, rate=R("9.81") / 5):
     """Return the crane of the engineer's guide: a trolley with a load on a rope."""
     s, w, angle, turning = sp.symbols("s v theta omega")

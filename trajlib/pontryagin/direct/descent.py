@@ -84,13 +84,18 @@ def escape_saddle(numeric, solution, variation, side):
         np.abs(variation.controls) / width,
         initial=np.max(np.abs(variation.widths)) / np.min(np.diff(solution.times)),
     )
+    grid = np.linspace(0, 1, len(solution.times))
     for size in (0.3 / length, -0.3 / length):
-        duration = solution.duration + size * float(variation.widths.sum())
+        # The intervals of an extremal differ, and shifted switchings change their widths.
+        widths = np.diff(solution.times) + size * variation.widths
+        ends = np.concatenate([[0.0], np.cumsum(widths)]) / widths.sum()
+        interval = np.searchsorted(ends[1:-1], (grid[1:] + grid[:-1]) / 2)
+        states = solution.states + size * variation.states
         result = programme.solve(
             (
-                max(duration, 0.1 * solution.duration),
-                solution.states + size * variation.states,
-                solution.controls + size * variation.controls,
+                widths.sum(),
+                np.stack([np.interp(grid, ends, column) for column in states.T], axis=1),
+                (solution.controls + size * variation.controls)[interval],
             )
         )
         if isinstance(result, DirectSolution) and result.cost < (best or solution).cost - 1e-9 * (

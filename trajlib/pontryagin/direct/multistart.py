@@ -14,6 +14,7 @@ from trajlib.pontryagin.direct.guesses import (
     starting_guesses,
     target_sides,
 )
+from trajlib.pontryagin.direct.negative_loop import NEGATIVE_LOOP
 from trajlib.pontryagin.direct.other_sides import guesses_on_other_sides
 from trajlib.pontryagin.direct.refusals import WITHOUT_SOLUTION
 from trajlib.pontryagin.direct.transcription import (
@@ -113,6 +114,8 @@ class Multistart:
         """Return the solution found from a guess in a list; a failure is noted."""
         result = programme.solve(start)
         if isinstance(result, DirectSolution):
+            if self.best is None and self.structure is None:
+                NEGATIVE_LOOP.check(self.numeric, result)
             if self.best is None or result.cost < self.best.cost:
                 self.best = result
             self._log(programme, self._shown(result), result)

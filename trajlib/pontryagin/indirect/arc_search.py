@@ -10,7 +10,7 @@ from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution
 from trajlib.pontryagin.direct.free_duration import fixed_duration, refuse_unbounded_duration
 from trajlib.pontryagin.direct.multistart import Multistart
 from trajlib.pontryagin.direct.refusals import DEGENERATE_TARGET, OF_SOLUTIONS, WITHOUT_EXTREMAL
-from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
+from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.indirect.assembly import extremal_of_shot
 from trajlib.pontryagin.indirect.chattering import CHATTERING
 from trajlib.pontryagin.indirect.contacts import end_constraints
@@ -26,7 +26,7 @@ from trajlib.pontryagin.problem.state_constraints import constraint_derivatives
 from trajlib.pontryagin.problem.steps import Method
 from trajlib.pontryagin.problem.time_limit import is_end_of_time
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem
-from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
+from trajlib.pontryagin.verification.second_variation import process_of_extremal, second_variation
 
 # Lists of arcs that are tried, at most: on finer grids each contact with a boundary may be an arc or a
 # touch point. Where one of them leads to an extremal, it is among the first.
@@ -152,7 +152,7 @@ class _ArcSearch:
                     refuse_unbounded_duration(numeric, solution, side)
                 if sign >= 0:
                     return extremal
-                better = _solution_beside_saddle(numeric, extremal, side)
+                better = _solution_beside_saddle(numeric, extremal, duration, side)
                 if better is not None and better.cost < solution.cost - SAME * abs(solution.cost):
                     solution, factor = better, 1
                     continue
@@ -245,20 +245,18 @@ def _certificate_failure(extremal):
     )
 
 
-def _solution_beside_saddle(numeric, extremal, side):
+def _solution_beside_saddle(numeric, extremal, duration, side):
     """Return a discrete solution of lower cost than an extremal that is a saddle, or None."""
-    times = np.linspace(0, extremal.duration, INTERVALS + 1)
-    sign = -1 if extremal.problem.maximise else 1
+    # Its variations keep to the inequalities that are active at the end.
+    process = process_of_extremal(extremal._numeric, extremal, duration)
     solution = DirectSolution(
-        times,
-        extremal.state(times).T,
-        extremal.costate(times).T,
-        extremal.control((times[1:] + times[:-1]) / 2).T,
-        sign * extremal.cost,
+        np.concatenate([[0.0], np.cumsum(process.widths)]),
+        process.states,
+        process.costates,
+        process.controls,
+        -extremal.cost if extremal.problem.maximise else extremal.cost,
     )
-    variation = second_variation(
-        numeric, process_of_solution(numeric, solution, target_multipliers(numeric, solution))
-    )
+    variation = second_variation(extremal._numeric, process)
     return escape_saddle(numeric, solution, variation, side) if variation.sign < 0 else None
 
 

@@ -1,6 +1,7 @@
 """All steps of `solve`, in the order in which they are tried."""
 
 from trajlib.pontryagin.direct.free_duration import EXTREME_DURATION
+from trajlib.pontryagin.direct.negative_loop import NEGATIVE_LOOP
 from trajlib.pontryagin.direct.refusals import (
     BEFORE_SEARCH,
     OF_SOLUTIONS,
@@ -29,7 +30,7 @@ ORDER: tuple[tuple[str, tuple[Step, ...]], ...] = (
     ("units", (NATURAL_UNITS,)),
     ("search, where no method above gives the extremal", (SEARCH,)),
     ("refusals where no discrete solution is found", WITHOUT_SOLUTION),
-    ("refusals of discrete solutions", OF_SOLUTIONS),
+    ("refusals of discrete solutions", (NEGATIVE_LOOP, *OF_SOLUTIONS)),
     ("refusals of lists of arcs", (EXTREME_DURATION, CHATTERING, HIGH_ORDER)),
     ("refusals where no arcs lead to an extremal", WITHOUT_EXTREMAL),
 )
