@@ -23,6 +23,8 @@ from workbook.numbering import NUMBER, files_by_number, read_number
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 #: In the place of the check of an answer that only the grading judges.
 KEPT = re.compile(r"\b(\w+)=checks\.kept_for_grading\(\1\)")
+#: In the metadata of a notebook that was handed out, the names of these answers.
+KEPT_NAMES = "kept_for_grading"
 #: A report with the name of its problem or variant.
 NAMED_REPORT = re.compile(rf'checks\.report\((f?"({NUMBER.pattern}|[a-z0-9.]+~\{{row\}})",?)?')
 
@@ -53,6 +55,16 @@ class Exercise:
     def number(self):
         """Number of the problem, such as "1.15"."""
         return self.about["number"]
+
+    @property
+    def kept(self):
+        """Names of answers that only the grading judges, as a notebook that was handed out says."""
+        names = self.about.get(KEPT_NAMES)
+        return (
+            [name for name in names if name in self.about["answers"]]
+            if isinstance(names, list)
+            else []
+        )
 
     def code(self, *roles):
         """Return (role, source) of the code cells with one of the roles, in order."""
@@ -142,6 +154,17 @@ def in_homework(exercise):
         exercise,
         cells=tuple(
             (role, hiding_direction(source) if role == "check" else source)
+            for role, source in exercise.cells
+        ),
+    )
+
+
+def leaving_to_grading(exercise, kept):
+    """Return an exercise that leaves answers with these names to the grading of the homework."""
+    return replace(
+        exercise,
+        cells=tuple(
+            (role, keeping_for_grading(source, kept) if role == "check" else source)
             for role, source in exercise.cells
         ),
     )
