@@ -78,8 +78,9 @@ class Exercise:
         checks = [
             (marked(source), form)
             for _, source in self.code("check")
-            # degree= was called margin=
-            for text in (source.replace("degree=", "margin="), source)
+            for degree in ("margin=", "degree=")  # former words for the degree of stability
+            for check in ("possible_margins(", "possible_degrees(")
+            for text in (source.replace("degree=", degree).replace("possible_degrees(", check),)
             for form in (with_former_names(text), text)
         ]
         calls = {name: call for _, form in checks for name, call in check_calls(form).items()}

@@ -13,6 +13,7 @@ FORMER = {
     "focus_region": ("equilibrium_condition", _POINTS, {"kind": "focus"}),
     "linearisation_matrices": ("equilibrium_linearisation", f"{_VALUES} zeros", {}),
     "node_region": ("equilibrium_condition", _POINTS, {"kind": "node"}),
+    "possible_margins": ("possible_degrees", "system mu parameters", {}),
     "saddle_angle_condition": (
         "equilibrium_condition",
         "field state parameters angle",
