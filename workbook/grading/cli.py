@@ -391,7 +391,7 @@ def new(
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
     from workbook.grading.course import exams
-    from workbook.grading.course.assignment import AIDS, BY_HAND, Exam
+    from workbook.grading.course.assignment import BY_HAND, Exam
     from workbook.grading.course.handing_out import due_date, due_text, make
     from workbook.grading.reports.pages import count
 
@@ -420,7 +420,8 @@ def new(
         title, exam = title or chosen.title, chosen.exam
         numbers, marks, by_hand = list(chosen.marks), chosen.marks, chosen.by_hand
     if is_exam:
-        exam = Exam(minutes or exam.minutes, aids or (exam.aids if exam else AIDS))
+        proposed = exam or Exam(0)
+        exam = Exam(minutes or proposed.minutes, aids or proposed.aids)
     if own_numbers != (roster is not None):
         raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
     if pool and not own_numbers:
