@@ -141,6 +141,7 @@ def wheels():
     sources = [
         ROOT / "pyproject.toml",
         ROOT / "book" / "routes.toml",
+        ROOT / "book" / "exams.toml",
         *(ROOT / "workbook" / "display" / "explorer" / "static").rglob("*"),
         *(
             path

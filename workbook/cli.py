@@ -120,7 +120,7 @@ def check(
             f"`workbook exercises {notebook} --to my-folder` puts a fresh one there"
         )
     submitted = exercises.read(notebook)
-    pristine = exercises.find(submitted.number)
+    pristine = exercises.leaving_to_grading(exercises.find(submitted.number), submitted.kept)
     if foreign := why_foreign(marks_of(submitted.about), pristine):
         raise UserError(f"{notebook} is not judged: {foreign}")
     sources = pristine.sources_to_run([source for _, source in submitted.cells])
@@ -156,7 +156,9 @@ def check(
         for name, verdict in verdicts.items():
             _print_verdict(name, verdict)
         right = sum(verdict.status == RIGHT for verdict in verdicts.values())
-        console.print(f"{right} of {len(verdicts)} right")
+        kept = len(verdicts.keys() & set(submitted.kept))
+        later = f"; the grading judges {kept}" if kept else ""
+        console.print(f"{right} of {len(verdicts) - kept} right{later}")
     raise typer.Exit(_exit_code(verdicts))
 
 

@@ -8,12 +8,14 @@ from case import CHECKS
 
 from workbook import checks
 from workbook.checks.contract.former_checks import FORMER
+from workbook.systems import Linear
 
 x, v, p = sp.symbols("x v p", real=True)
 n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
 PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
 WELL = [v, -x - k * v], [x, v], [k]
 WELL_ALONE = [v, -x - v], [x, v]
+mu = sp.Symbol("mu", positive=True)
 UP, DOWN = sp.pi + 2 * sp.pi * n, 2 * sp.pi * n
 HANGING = sp.Matrix([[0, 1], [-k, -1]])
 STANDING = sp.Matrix([[0, 1], [k, -1]])
@@ -30,6 +32,7 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
         ("linearisation_matrices", [HANGING, STANDING], [HANGING], (*PENDULUM, k < 2, n)),
         ("node_region", k > 2, k > 3, WELL),
         ("nullcline", k, -k, (x - k, x, [k])),
+        ("possible_margins", mu <= 3, mu <= 4, (Linear([[1, 0], [0, -3]], [[1], [0]]), mu)),
         ("saddle_angle_condition", sp.cos(p) < 0, sp.cos(p) > 0, (*PENDULUM, p)),
         ("stable_angle_condition", sp.cos(p) > 0, sp.cos(p) < 0, (*PENDULUM, p)),
         ("stable_equilibria", [(0, 0)], [], ([v, -x - v], [x, v])),

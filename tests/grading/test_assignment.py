@@ -110,7 +110,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         ('problems = ["../ch1/p15"]', "there is no problem"),
         (
             ONE + "titel = 'x'",
-            "unknown field titel; there are attempt, attempts, budget, by_hand, direction, due, early, "
+            "unknown field titel; there are attempt, attempts, budget, by_hand, direction, due, early, exam, "
             "exemptions, extensions, grace_days, kept_for_grading, labels, late, points, pool, problems, "
             "title, zone",
         ),

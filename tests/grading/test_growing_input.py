@@ -7,6 +7,7 @@ import time
 import pytest
 
 from workbook.grading.course import objections, submissions, text_cells
+from workbook.grading.course.assignment import of_problems
 from workbook.grading.sandbox import limited_process, preloading, sanitising, submitted_file
 from workbook.grading.sandbox.submitted_file import Reader, UnreadableFileError
 from workbook.notebooks import exercises
@@ -61,7 +62,7 @@ def test_a_notebook_of_brackets_costs_the_grader_nothing(tmp_path):
     path.write_text(json.dumps({"cells": cells, "metadata": {}}))
     before = os.times()
     (entry,) = submissions.find(tmp_path / "submitted")
-    ((_, (text,)),) = text_cells.read(tmp_path / "submitted", "hw1")["ada"]
+    ((_, (text,)),) = text_cells.read(tmp_path / "submitted", of_problems("hw1", ["1.15"]))["ada"]
     used = os.times()
     assert entry.problem == "1.15" and not entry.trouble
     assert text.startswith("[" * 1000) and "1980000 more characters" in text

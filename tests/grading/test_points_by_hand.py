@@ -178,7 +178,7 @@ def test_the_page_has_each_students_own_text_beside_fields(three, tmp_path, home
     path.write_text(json.dumps(data))
     released = hand_in(tmp_path, "bob", "1.17", {})
     released.write_text(handing_out.release(homework, "1.17", "https://example.org"))
-    texts = text_cells.read(tmp_path / "submitted", "hw1")
+    texts = text_cells.read(tmp_path / "submitted", homework)
     assert texts == {"ann": [("ch1-p17.ipynb", ["Because <b>k</b> > 0,\n$x = 1$.", "</pre>\\x1b"])]}
     page = text_page(homework, three.values(), texts)
     assert "Because &lt;b&gt;k&lt;/b&gt; &gt; 0,\n$x = 1$." in page and "&lt;/pre&gt;" in page

@@ -158,7 +158,7 @@ CALLS = {
     "feedback.reduced_observer": (feedback.reduced_observer, {**EXACT, "eigenvalues": [-1]}),
     "feedback.discrete_lqg": (feedback.discrete_lqg, {**STEPS, "H": H, "Q": TWO, "R": ONE}),
     "feedback.lqg": (feedback.lqg, {**REGULATOR, "H": H, "Q": TWO, "R": ONE}),
-    "feedback.best_margin": (feedback.best_margin, {"A": A, "B": B, "H": H}),
+    "feedback.best_degree": (feedback.best_degree, {"A": A, "B": B, "H": H}),
     "feedback.detectability": (feedback.detectability, {"A": A, "H": H}),
     "feedback.stabilisability": (feedback.stabilisability, {"A": A, "B": B}),
     "infosets.DubinsReachable.support": (REACHED.support, {"directions": TIMES}),

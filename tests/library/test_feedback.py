@@ -83,7 +83,7 @@ def test_a_family_for_one_output_is_complete(observable, unobservable, seed):
     A, H, _A22 = with_hidden_part(observable, unobservable, 1, seed)
     family = (
         feedback.observer(A, H, degree=1)
-        if feedback.best_margin(A, H=H) >= 1
+        if feedback.best_degree(A, H=H) >= 1
         else feedback.observer(A, H, (lam + 1) ** observable, lam)
     )
     entries = sp.symbols(f"l1:{observable + unobservable + 1}")
@@ -155,16 +155,16 @@ def test_float_arrays_are_refused():
         ([[0, 1], [1, 0]], [0, 1], sp.oo),
     ],
 )
-def test_the_best_margin_is_that_of_the_slowest_fixed_mode(A, B, margin):
+def test_the_best_degree_is_that_of_the_slowest_fixed_mode(A, B, margin):
     A, B = sp.Matrix(A), sp.Matrix(B)
     found = feedback.stabilisability(A, B)
-    assert found.margin == margin and bool(found) == (margin > 0)
+    assert found.degree == margin and bool(found) == (margin > 0)
     for mode in found.modes:
         assert mode.vectors * A == mode.eigenvalue * mode.vectors and mode.vectors * B == sp.zeros(
             mode.vectors.rows, 1
         )
     floats = feedback.stabilisability(np.array(A, dtype=float), np.array(B, dtype=float))
-    assert floats.margin == pytest.approx(float(margin)) and (
+    assert floats.degree == pytest.approx(float(margin)) and (
         margin == 0 or bool(floats) == bool(found)
     )
 
@@ -173,16 +173,16 @@ def test_conjugate_fixed_modes_without_a_closed_form():
     hidden = sp.Matrix([[0, 1, 0], [0, 0, 1], [-3, -1, -1]])  # l^3 + l^2 + l + 3
     found = feedback.stabilisability(sp.diag(2, hidden), sp.Matrix([1, 0, 0, 0]))
     assert not found and len(found.obstacles) == 1
-    assert float(found.margin) == pytest.approx(-max(np.roots([1, 1, 1, 3]).real))
+    assert float(found.degree) == pytest.approx(-max(np.roots([1, 1, 1, 3]).real))
 
 
 def test_unknown_signs_are_refused_with_advice():
     a, p = sp.Symbol("a"), sp.Symbol("p", positive=True)
     with pytest.raises(ValueError, match="assumptions"):
         feedback.stabilisability(sp.diag(1, a), sp.Matrix([1, 0]))
-    assert feedback.stabilisability(sp.diag(1, -p), sp.Matrix([1, 0])).margin == p
+    assert feedback.stabilisability(sp.diag(1, -p), sp.Matrix([1, 0])).degree == p
     with pytest.raises(ValueError, match="B, H"):
-        feedback.best_margin(sp.eye(2))
+        feedback.best_degree(sp.eye(2))
 
 
 def test_stabilising_gains_satisfy_the_hurwitz_criterion():
@@ -295,8 +295,13 @@ def test_display():
 
 def test_several_fixed_eigenvalues_are_listed_together():
     found = feedback.stabilisability(sp.diag(-1, -2, 3), sp.Matrix([0, 0, 1]))
-    assert "lambda = -1, lambda = -2 are fixed" in found.reason and found.margin == 1
+    assert "lambda = -1, lambda = -2 are fixed" in found.reason and found.degree == 1
     assert (
         r"\mathrm{free}_{1}"
         in feedback.regulator(sp.diag(-1, 3), sp.Matrix([0, 1]), degree=1)._repr_latex_()
     )
+
+
+def test_the_former_name_of_the_degree_is_refused():
+    with pytest.raises(AttributeError, match="^margin is called degree now$"):
+        feedback.stabilisability(sp.diag(1, -2), sp.Matrix([1, 0])).margin

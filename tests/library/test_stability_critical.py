@@ -92,7 +92,7 @@ def test_long_polynomials_name_the_roots_to_the_right():
 
 def test_float_matrices():
     stable = linear_stability(np.array([[0.0, 1.0], [-1.0, -0.001]]))
-    assert stable.verdict == "asymptotically stable" and stable.margin == pytest.approx(0.0005)
+    assert stable.verdict == "asymptotically stable" and stable.degree == pytest.approx(0.0005)
     assert linear_stability(np.array([[0.0, 1.0], [1.0, 0.0]])).verdict == "unstable"
     for critical in ([[0, 1], [-1, 0]], [[0, 1], [0, 0]], [[-1, 0], [0, 0]]):
         found = linear_stability(np.array(critical, dtype=float))

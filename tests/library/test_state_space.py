@@ -50,7 +50,7 @@ EITHER = [
     (feedback.place, ([-1, -2],), (A, B)),
     (feedback.stabilisability, (), (A, B)),
     (feedback.detectability, (), (A, C)),
-    (feedback.best_margin, (), (A, B, C)),
+    (feedback.best_degree, (), (A, B, C)),
     (structure.observability, (), (A, C)),
     (structure.controllability, (), (A, B)),
     (structure.controllability_matrix, (), (A, B)),
@@ -135,19 +135,19 @@ def test_discrete_modes_are_judged_by_the_unit_circle(poles, inputs, stabilisabl
     system = control.ss(matrix, T @ column, column.T @ back, 0, dt)
     for test in (feedback.stabilisability, feedback.detectability):
         found = test(system)
-        assert bool(found) == stabilisable and found.margin == pytest.approx(margin, abs=1e-12)
-    assert feedback.best_margin(system) == pytest.approx(margin, abs=1e-12)
+        assert bool(found) == stabilisable and found.degree == pytest.approx(margin, abs=1e-12)
+    assert feedback.best_degree(system) == pytest.approx(margin, abs=1e-12)
     assert len(found.obstacles) == (not stabilisable)
 
 
 def test_system_without_a_time_base_is_continuous():
-    assert feedback.stabilisability(control.ss(-2, 0, 1, 0, None)).margin == 2
+    assert feedback.stabilisability(control.ss(-2, 0, 1, 0, None)).degree == 2
 
 
 def test_fixed_mode_on_the_axis_is_an_obstacle_within_rounding():
     T = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))[0]
     found = feedback.stabilisability(T @ np.diag([0.0, -1, 2]) @ T.T, T @ [[0.0], [0], [1]])
-    assert not found and found.margin == 0
+    assert not found and found.degree == 0
 
 
 END = {"F": TWO, "time_to_go": 1.0}

@@ -51,3 +51,11 @@ def test_the_check_cell_of_an_earlier_notebook_names_the_mistake():
     assert "a_unobservable_states" in known["answers"]
     told = find_mistake("2.3", "a_unobservable_states", [[0, 1]])
     assert told and find_mistake("2.3", "a_unseen", [[0, 1]]) == told
+
+
+def test_a_cell_with_a_former_check_is_known():
+    exercise = exercises.find("3.1")
+    cells = [source for _, source in exercise.code("check")]
+    former = [cell.replace("possible_degrees(", "possible_margins(") for cell in cells]
+    assert former != cells
+    assert exercise.sources_to_run(former) == exercise.sources_to_run(cells)

@@ -1,6 +1,8 @@
 """The content of the built pages: outputs, pictures, drawings, answers, solutions."""
 
 import re
+import tomllib
+from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
@@ -258,3 +260,21 @@ def test_the_page_of_downloads_offers_the_wheel(pages):
     page = parsed[root / "book" / "downloads.html"]
     wheel = page.select_one("ul.downloads a[href$='.whl']")
     assert (root / "book" / wheel["href"]).resolve().exists()
+
+
+@full
+def test_decimals_said_to_be_printed_are(pages):
+    """Numbers of the prose that `prose_numbers.toml` leaves to cells are in the outputs of their page."""
+    file = Path(__file__).resolve().parents[1] / "authoring" / "prose_numbers.toml"
+    accepted = tomllib.loads(file.read_text(encoding="utf-8"))
+    root, parsed = pages
+    missing = {}
+    for page, numbers in accepted.items():
+        outputs = parsed[root / page.replace(".md", ".html")].select(".cell_output")
+        text = " ".join(output.get_text() for output in outputs)
+        values = [float(value) for value in re.findall(r"\d+\.\d+", text)]
+        for number in (name for name, how in numbers.items() if how == "printed"):
+            half = 0.501 * 10.0 ** -len(number.partition(".")[2])
+            if not any(abs(value - float(number)) <= half for value in values):
+                missing.setdefault(page, []).append(number)
+    assert not missing

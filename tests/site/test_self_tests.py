@@ -36,6 +36,7 @@ FADING = (
     "ch5/example_integral",
     "ch5/example_circle",
     "ch5/singular_example",
+    "ch5/state_constraints",
 )
 FRAME = (":::{admonition} After this section you can", "## Self-test", "## Summary", "## Next")
 

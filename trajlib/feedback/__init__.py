@@ -19,7 +19,7 @@ _EXPORTS = {
     "pole_placement": ["Placement", "place"],
     "trajlib.structure.fixed_spectrum": [
         "FixedSpectrum",
-        "best_margin",
+        "best_degree",
         "detectability",
         "stabilisability",
     ],

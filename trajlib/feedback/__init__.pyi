@@ -25,6 +25,6 @@ from trajlib.feedback.stochastic_regulator import StochasticRegulator as Stochas
 from trajlib.feedback.stochastic_regulator import discrete_lqg as discrete_lqg
 from trajlib.feedback.stochastic_regulator import lqg as lqg
 from trajlib.structure.fixed_spectrum import FixedSpectrum as FixedSpectrum
-from trajlib.structure.fixed_spectrum import best_margin as best_margin
+from trajlib.structure.fixed_spectrum import best_degree as best_degree
 from trajlib.structure.fixed_spectrum import detectability as detectability
 from trajlib.structure.fixed_spectrum import stabilisability as stabilisability

@@ -306,7 +306,7 @@ class _Prescription:
         """Return the monic characteristic polynomial prescribed for the part of order `count`."""
         if self.degree is not None:
             fixed_spectrum = test()
-            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.margin < self.degree) is sp.true:
+            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.degree < self.degree) is sp.true:
                 raise ValueError(f"degree: {self.degree} cannot be had; {fixed_spectrum.reason}")
             return sp.Poly((symbol + self.degree) ** count, symbol)
         if self.eigenvalues is not None:

@@ -70,14 +70,14 @@ class LinearStability:
         The modes that decide it.
     reason : str
         The verdict in words.
-    margin : float or None
+    degree : float or None
         For floats the computed -max Re lambda, for exact matrices None.
     """
 
     verdict: str
     deciding_modes: tuple[Mode, ...]
     reason: str
-    margin: float | None = None
+    degree: float | None = None
 
     def _repr_markdown_(self):
         return f"{self.verdict}: {escape_markdown(self.reason)}"
@@ -263,7 +263,7 @@ def _restored(mode, from_real):
 def _from_floats(A):
     """Decide by the spectrum unless rounding can move an eigenvalue to the imaginary axis."""
     eigenvalues = np.linalg.eigvals(A)
-    margin = float(-eigenvalues.real.max())
+    degree = float(-eigenvalues.real.max())
     scale = np.linalg.norm(A, 2)
     rounding = 10 * len(A) * np.finfo(float).eps * scale
     # The smallest singular value of A - i w I is the distance to the matrices that have the
@@ -286,18 +286,18 @@ def _from_floats(A):
             modes(doubtful, "unknown"),
             f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the "
             "imaginary axis; give the matrix exactly (SymPy)",
-            margin,
+            degree,
         )
-    if margin > 0:
+    if degree > 0:
         return LinearStability(
             "asymptotically stable",
-            modes(eigenvalues.real == -margin, "left"),
-            f"all real parts are at most {-margin:.6g}",
-            margin,
+            modes(eigenvalues.real == -degree, "left"),
+            f"all real parts are at most {-degree:.6g}",
+            degree,
         )
     return LinearStability(
         "unstable",
         modes(eigenvalues.real > 0, "right"),
-        f"the largest real part is {-margin:.6g}",
-        margin,
+        f"the largest real part is {-degree:.6g}",
+        degree,
     )

@@ -35,21 +35,25 @@ class FixedSpectrum:
         output of the motion v exp(lambda t) is zero.
     obstacles : tuple of HiddenMode
         Those of them that do not decay, Re lambda >= 0, in discrete time |lambda| >= 1.
-    margin : sympy.Expr or float
-        The greatest degree of stability that some gain gives (Definition 1.5: Re lambda <= -margin); `sp.oo` (for
+    degree : sympy.Expr or float
+        The greatest degree of stability that some gain gives (Definition 1.5: Re lambda <= -degree); `sp.oo` (for
         floats `inf`) if nothing is fixed; zero or negative where there are obstacles. In discrete time
-        |lambda| <= 1 - margin, and 1 if nothing is fixed.
+        |lambda| <= 1 - degree, and 1 if nothing is fixed.
     reason : str
         The verdict in words.
     """
 
     modes: tuple[HiddenMode, ...]
     obstacles: tuple[HiddenMode, ...]
-    margin: sp.Expr | float
+    degree: sp.Expr | float
     reason: str
 
     def __bool__(self):
         return not self.obstacles
+
+    @property
+    def margin(self):
+        raise AttributeError("margin is called degree now")
 
     def _repr_markdown_(self):
         return escape_markdown(self.reason)
@@ -86,7 +90,7 @@ def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum
     --------
     >>> import sympy as sp
     >>> found = stabilisability(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([1, 0]))
-    >>> bool(found), found.margin
+    >>> bool(found), found.degree
     (True, 1)
     """
     discrete, (dual, pushed) = is_discrete(A), read_controlled(A, B)
@@ -124,7 +128,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
     --------
     >>> import sympy as sp
     >>> found = detectability(sp.Matrix([[1, 0], [0, -2]]), sp.Matrix([[0, 1]]))
-    >>> bool(found), found.margin, found.obstacles[0].vectors.T
+    >>> bool(found), found.degree, found.obstacles[0].vectors.T
     (False, -1, Matrix([[1, 0]]))
     """
     discrete, (A, H) = is_discrete(A), read_observed(A, H)
@@ -133,7 +137,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
 
 
 @accepts_state_space(C="H")
-def best_margin(
+def best_degree(
     A: MatrixLike, B: MatrixLike | None = None, H: MatrixLike | None = None
 ) -> sp.Expr | float:
     """Return the greatest degree of stability of a regulator, an observer or both.
@@ -168,11 +172,11 @@ def best_margin(
     >>> import sympy as sp
     >>> A = sp.Matrix([[-1, 2, 1], [0, 3, 2], [-1, -2, -3]])
     >>> B, H = sp.Matrix([1, 1, -1]), sp.Matrix([[0, 2, 1]])
-    >>> best_margin(A, B), best_margin(A, H=H), best_margin(A, B, H)
+    >>> best_degree(A, B), best_degree(A, H=H), best_degree(A, B, H)
     (2, 1, 1)
     """
     if is_state_space(A) and B is None and H is None:
-        return min(stabilisability(A).margin, detectability(A).margin)
+        return min(stabilisability(A).degree, detectability(A).degree)
     if B is None and H is None:
         raise ValueError("B, H: expected the matrix of the control, that of the output, or both")
     tests = [
@@ -180,7 +184,7 @@ def best_margin(
         for test, matrix in ((stabilisability, B), (detectability, H))
         if matrix is not None
     ]
-    return min(test.margin for test in tests)
+    return min(test.degree for test in tests)
 
 
 def rounding(A, H):
@@ -194,21 +198,21 @@ def _fixed(test, discrete, limit, word, explanation):
         mode for mode, rate in zip(test.hidden_modes, rates) if not _decays(rate, mode)
     )
     if not rates:
-        margin = sp.oo if test.margin is None else np.inf
+        degree = sp.oo if test.margin is None else np.inf
         if discrete:
             return FixedSpectrum((), (), 1.0, f"{word}: no eigenvalue is fixed, all may be zero")
         return FixedSpectrum(
-            (), (), margin, f"{word}, with any degree of stability: no eigenvalue is fixed"
+            (), (), degree, f"{word}, with any degree of stability: no eigenvalue is fixed"
         )
-    margin = -_greatest(rates)
+    degree = -_greatest(rates)
     names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.hidden_modes))
     named = ", ".join(names)
     if obstacles:
         reason = f"not {word}: a mode with {named} does not decay, and {explanation}"
     else:
         are = "is" if len(names) == 1 else "are"
-        reason = f"{word}, with a degree of stability of at most {margin}: {named} {are} fixed, and {explanation}"
-    return FixedSpectrum(tuple(test.hidden_modes), obstacles, margin, reason)
+        reason = f"{word}, with a degree of stability of at most {degree}: {named} {are} fixed, and {explanation}"
+    return FixedSpectrum(tuple(test.hidden_modes), obstacles, degree, reason)
 
 
 def slowest_rate(eigenvalue, discrete=False, limit=0):

@@ -107,7 +107,7 @@ _present, __dir__, __all__ = lazy_names(
         ],
         "feedback.equations": ["equation_gains", "state_space_form"],
         "feedback.loops": ["feedback_gain", "observer_feedback_gains", "observer_gain"],
-        "feedback.margins": ["gain_region", "possible_margins", "undetectable_mode"],
+        "feedback.margins": ["gain_region", "possible_degrees", "undetectable_mode"],
         "feedback.equilibria": ["equilibrium_gains"],
         "feedback.quadratic_costs": [
             "controller_equations",

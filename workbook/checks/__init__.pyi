@@ -833,7 +833,7 @@ def polar_form(rates: Any, field: Any, state: Any, polar: Any) -> Verdict:
 def pontryagin_function(claim: Any, problem: Any, costates: Any, domain: Any = ...) -> Verdict:
     """Check the Pontryagin function H with lambda_0 = 1."""
 
-def possible_margins(answer: Any, system: Any, mu: Any, parameters: Any = ...) -> Verdict:
+def possible_degrees(answer: Any, system: Any, mu: Any, parameters: Any = ...) -> Verdict:
     """Check the condition on mu > 0 under which the degree of stability mu can be attained."""
 
 def radial_motion(claim: Any, field: Any, state: Any, time: Any, start: Any) -> Verdict:

@@ -339,6 +339,22 @@ def new(
     week: Annotated[
         int | None, typer.Option(help="With --route: the week whose homework it is.")
     ] = None,
+    is_exam: Annotated[
+        bool,
+        typer.Option(
+            "--exam", help="An exam: only the grading judges its answers; with a cover page."
+        ),
+    ] = False,
+    minutes: Annotated[
+        int | None, typer.Option(help="With --exam: the time allowed.", min=1)
+    ] = None,
+    aids: Annotated[str | None, typer.Option(help="With --exam: what may be used.")] = None,
+    paper: Annotated[
+        str | None,
+        typer.Option(
+            help="With --exam, in place of problems: a paper, such as linear-control-midterm, or a file."
+        ),
+    ] = None,
     title: Annotated[str | None, typer.Option(help="Title to show; default: the name.")] = None,
     due: Annotated[
         str | None,
@@ -374,19 +390,38 @@ def new(
     ] = None,
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
+    from workbook.grading.course import exams
+    from workbook.grading.course.assignment import BY_HAND, Exam
     from workbook.grading.course.handing_out import due_date, due_text, make
     from workbook.grading.reports.pages import count
 
-    if bool(numbers) == (route is not None) or (week is None) != (route is None):
+    sources = (bool(numbers), route is not None, paper is not None)
+    if sources.count(True) != 1 or (week is None) != (route is None):
         raise UserError(
-            "give either problems, such as 1.4 1.15, or --route linear-control --week 5"
+            "give either problems, such as 1.4 1.15, or --route linear-control --week 5, or for an exam "
+            "--paper linear-control-midterm"
         )
-    numbers, items = list(numbers or ()), {}
+    if not is_exam and (minutes or aids or paper):
+        raise UserError("--minutes, --aids and --paper are for an --exam")
+    if is_exam and (direction or kept_for_grading):
+        raise UserError(
+            "an exam judges no answer before the grading: leave --direction and --keep out"
+        )
+    if is_exam and not (minutes or paper):
+        raise UserError("an exam needs the time allowed, such as --minutes 90")
+    numbers, marks, exam, by_hand = list(numbers or ()), {}, None, {}
     if route is not None:
         chosen, tasks = _homework_of(route, week)
         title = title or f"{chosen.title}, {chosen.unit} {week}"
         numbers = [task.problem for task in tasks]
-        items = {task.problem: task.items for task in tasks if task.items}
+        marks = {task.problem: dict.fromkeys(task.answers, 1) for task in tasks if task.items}
+    if paper is not None:
+        chosen = exams.find(paper)
+        title, exam = title or chosen.title, chosen.exam
+        numbers, marks, by_hand = list(chosen.marks), chosen.marks, chosen.by_hand
+    if is_exam:
+        proposed = exam or Exam(0)
+        exam = Exam(minutes or proposed.minutes, aids or proposed.aids)
     if own_numbers != (roster is not None):
         raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
     if pool and not own_numbers:
@@ -407,9 +442,12 @@ def new(
         kept_for_grading or (),
         own_numbers,
         pool or [],
-        items,
+        marks,
+        exam,
+        by_hand,
     )
     counted = homework.points.keys() - set(homework.pool[1:])
+    counted -= {BY_HAND}
     answers = sum(sum(map(bool, homework.points[problem].values())) for problem in counted)
     console.print(
         f"{assignments / name}: {count(len(counted), 'problem')}, {count(answers, 'answer')}, "

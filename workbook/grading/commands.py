@@ -155,7 +155,7 @@ def grade_course(options):
     homeworks = _in_time(homeworks)
     graded, tables = _write_all(options, console, homeworks, plan, roster, expected)
     if options.review:
-        texts = {a.name: text_cells.read(options.submitted, a.name) for a in homeworks if a.by_hand}
+        texts = {a.name: text_cells.read(options.submitted, a) for a in homeworks if a.by_hand}
         questions = [
             q
             for a, of_class in graded
@@ -264,7 +264,7 @@ def write(folder, assignment, graded, now, roster=None, site="", submitted=None,
     if submitted is not None:
         entries = [entry for entry in ledger.read(submitted) if entry.assignment == name]
         handed_in = objections.handed_in(submitted, name)
-        texts = text_cells.read(submitted, name) if assignment.by_hand else ()
+        texts = text_cells.read(submitted, assignment) if assignment.by_hand else ()
     former = record.objections(folder / "grades.json")
     all_objections = objections.updated(former, handed_in, folder / "replies", now)
     changes, all_changes, written = record.compared(

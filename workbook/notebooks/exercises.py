@@ -23,6 +23,8 @@ from workbook.numbering import NUMBER, files_by_number, read_number
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 #: In the place of the check of an answer that only the grading judges.
 KEPT = re.compile(r"\b(\w+)=checks\.kept_for_grading\(\1\)")
+#: In the metadata of a notebook that was handed out, the names of these answers.
+KEPT_NAMES = "kept_for_grading"
 #: A report with the name of its problem or variant.
 NAMED_REPORT = re.compile(rf'checks\.report\((f?"({NUMBER.pattern}|[a-z0-9.]+~\{{row\}})",?)?')
 
@@ -54,6 +56,16 @@ class Exercise:
         """Number of the problem, such as "1.15"."""
         return self.about["number"]
 
+    @property
+    def kept(self):
+        """Names of answers that only the grading judges, as a notebook that was handed out says."""
+        names = self.about.get(KEPT_NAMES)
+        return (
+            [name for name in names if name in self.about["answers"]]
+            if isinstance(names, list)
+            else []
+        )
+
     def code(self, *roles):
         """Return (role, source) of the code cells with one of the roles, in order."""
         return [(role, source) for role, source in self.cells if role in roles]
@@ -66,8 +78,9 @@ class Exercise:
         checks = [
             (marked(source), form)
             for _, source in self.code("check")
-            # degree= was called margin=
-            for text in (source.replace("degree=", "margin="), source)
+            for degree in ("margin=", "degree=")  # former words for the degree of stability
+            for check in ("possible_margins(", "possible_degrees(")
+            for text in (source.replace("degree=", degree).replace("possible_degrees(", check),)
             for form in (with_former_names(text), text)
         ]
         calls = {name: call for _, form in checks for name, call in check_calls(form).items()}
@@ -142,6 +155,17 @@ def in_homework(exercise):
         exercise,
         cells=tuple(
             (role, hiding_direction(source) if role == "check" else source)
+            for role, source in exercise.cells
+        ),
+    )
+
+
+def leaving_to_grading(exercise, kept):
+    """Return an exercise that leaves answers with these names to the grading of the homework."""
+    return replace(
+        exercise,
+        cells=tuple(
+            (role, keeping_for_grading(source, kept) if role == "check" else source)
             for role, source in exercise.cells
         ),
     )

@@ -16,6 +16,7 @@ FORMER = {
     "linearisation_matrices": ("equilibrium_linearisation", f"{_VALUES} zeros", {}),
     "node_region": ("equilibrium_condition", _POINTS, {"kind": "node"}),
     "nullcline": ("equilibria", _POINTS, {}),
+    "possible_margins": ("possible_degrees", "system mu parameters", {}),
     "saddle_angle_condition": (
         "equilibrium_condition",
         "field state parameters angle",

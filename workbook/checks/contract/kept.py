@@ -19,9 +19,9 @@ def kept_for_grading(answer):
     >>> kept_for_grading(...).message
     'not answered yet'
     >>> kept_for_grading(5).message
-    'it is judged when the homework is graded'
+    'it can be read, and is judged in the grading'
     """
     verdict = _readable(answer)
     if verdict.status == RIGHT:
-        return Verdict(UNCHECKED, "it is judged when the homework is graded")
+        return Verdict(UNCHECKED, "it can be read, and is judged in the grading")
     return verdict

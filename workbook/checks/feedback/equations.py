@@ -16,7 +16,7 @@ from workbook.checks.contract.coercion import as_matrix
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
 from workbook.checks.feedback.loops import Requirement
-from workbook.checks.references.fixed_modes import common_margin
+from workbook.checks.references.fixed_modes import common_degree
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
@@ -96,7 +96,7 @@ def equation_gains(claim, equation):
     *form, K, L = claim
     A, B, _, H = form
     yield from _comparisons(form, equation)
-    greatest = common_margin(equation)
+    greatest = common_degree(equation)
     if greatest is not None and greatest <= 0:
         raise UnsuitableData("no feedback stabilises this equation")
     requirement = Requirement(degree=greatest or 0)

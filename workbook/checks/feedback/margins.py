@@ -12,9 +12,9 @@ from workbook.checks.feedback.loops import loop_of
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import (
     ON_BORDER,
-    common_margin,
-    greatest_margin,
-    margins_with_parameters,
+    common_degree,
+    degrees_with_parameters,
+    greatest_degree,
     slower_than,
 )
 from workbook.checks.references.records import (
@@ -60,7 +60,7 @@ def gain_region(answer, system, gain, parameters, degree=0):
 
 
 @judged(system="Linear, WithError or Scalar")
-def possible_margins(answer, system, mu, parameters=()):
+def possible_degrees(answer, system, mu, parameters=()):
     """Check the condition on mu > 0 under which the degree of stability mu can be attained.
 
     The condition is false if none can: with an output alone by some observer, with a
@@ -79,13 +79,13 @@ def possible_margins(answer, system, mu, parameters=()):
     >>> from workbook.systems import Linear
     >>> mu = sp.Symbol("mu", positive=True)
     >>> plant = Linear(A=[[1, 0], [0, -3]], B=[[1], [0]])
-    >>> checks.possible_margins(mu <= 3, plant, mu).status
+    >>> checks.possible_degrees(mu <= 3, plant, mu).status
     'right'
-    >>> checks.possible_margins(mu < 3, plant, mu).status
+    >>> checks.possible_degrees(mu < 3, plant, mu).status
     'wrong'
     """
     if isinstance(system, Scalar):
-        device, reference = "feedback by an estimate", up_to(mu, common_margin(system))
+        device, reference = "feedback by an estimate", up_to(mu, common_degree(system))
     elif not parameters:
         device = (
             "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
@@ -93,13 +93,13 @@ def possible_margins(answer, system, mu, parameters=()):
         pairs = ([controlled_pair(system)] if system.B else []) + (
             [observed_pair(augmented(system))] if system.H else []
         )
-        reference = up_to(mu, *map(greatest_margin, pairs))
+        reference = up_to(mu, *map(greatest_degree, pairs))
     else:
         device, observed = (
             ("feedback", system.dual) if has_control(system) else ("observer", system)
         )
-        reference = margins_with_parameters(observed.A, observed.H, mu, parameters)
-    return compare_margins(answer, [*parameters, mu], reference, device)
+        reference = degrees_with_parameters(observed.A, observed.H, mu, parameters)
+    return compare_degrees(answer, [*parameters, mu], reference, device)
 
 
 def up_to(mu, *greatest):
@@ -108,7 +108,7 @@ def up_to(mu, *greatest):
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
 
-def compare_margins(answer, symbols, reference, device):
+def compare_degrees(answer, symbols, reference, device):
     def message(values, holds):
         if holds:
             return (

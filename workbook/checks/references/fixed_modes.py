@@ -32,16 +32,16 @@ def fixed_eigenvalues(pair):
     ]
 
 
-def slower_than(margin, pair):
-    """Return whether for a sample a fixed eigenvalue has a real part above -margin.
+def slower_than(degree, pair):
+    """Return whether for a sample a fixed eigenvalue has a real part above -degree.
 
     For 0 the real part must not be below zero.
     """
-    limit = ON_BORDER - float(margin) if margin else -ON_BORDER
+    limit = ON_BORDER - float(degree) if degree else -ON_BORDER
     return any((values.real > limit).any() for values in fixed_eigenvalues(pair))
 
 
-def greatest_margin(pair):
+def greatest_degree(pair):
     """Return the greatest degree of stability that a gain gives, exact, or None if there is no greatest one.
 
     The pair must not have parameters.
@@ -58,7 +58,7 @@ def greatest_margin(pair):
     return -max((sp.re(root) for root in roots), key=float)
 
 
-def common_margin(equation):
+def common_degree(equation):
     """Return the greatest degree of stability of feedback by an estimate for one equation, a `Scalar`.
 
     With v(d/dt) x = w(d/dt) u, z = m(d/dt) x a common root of v and w is uncontrollable, one of v and m
@@ -92,7 +92,7 @@ def unobservable_eigenvalues_at(A, H, values):
     return np.array(common.nroots(), dtype=complex)
 
 
-def margins_with_parameters(A, H, mu, parameters):
+def degrees_with_parameters(A, H, mu, parameters):
     """Return the `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the degree mu.
 
     It is a condition on mu and the parameters: by the PBH test, no eigenvalue u + i w with u > -mu at
@@ -110,7 +110,7 @@ def margins_with_parameters(A, H, mu, parameters):
 
     def at(values):
         if all(value.is_Rational for value in values.values()):
-            best = greatest_margin(pair_of(A.subs(values), H.subs(values)))
+            best = greatest_degree(pair_of(A.subs(values), H.subs(values)))
             return best is None or bool(values[mu] <= best)
         if not all(value.is_algebraic for value in values.values()):
             return None

@@ -14,6 +14,10 @@ It is one file, `assignment.toml`:
     direction = false                   # or true: whether messages say "greater" or "less" of a number
     kept_for_grading = ["1.15.e_region"]  # optional: answers that the notebook does not judge
 
+    [exam]                              # optional: an exam, of which the notebooks judge no answer
+    minutes = 90                        # the time allowed
+    aids = "One sheet of notes."        # optional: what may be used
+
     [points]                            # optional; an answer is worth 1 point unless said otherwise
     "1.15" = 10                         # a problem: shared equally by its answers
     "1.4" = 10                          # with an answer named below: the others share what is left
@@ -71,6 +75,8 @@ RESERVED_NAMES = {
 }
 #: In the place of a problem, for what a lecturer grades by hand.
 BY_HAND = "by_hand"
+#: What may be used in an exam unless its file says otherwise.
+AIDS = "one sheet of notes of your own; neither the pages of the course nor other people"
 #: The field of the pool, and in the table of numbers the column that says who has which problem.
 POOL = "pool"
 FIELDS = {
@@ -80,6 +86,7 @@ FIELDS = {
     "attempts",
     "direction",
     "kept_for_grading",
+    "exam",
     "points",
     BY_HAND,
     POOL,
@@ -99,8 +106,16 @@ class AssignmentError(InputError):
 
 
 @dataclass(frozen=True)
+class Exam:
+    """What makes a homework an exam: the minutes allowed, and what may be used."""
+
+    minutes: int
+    aids: str = AIDS
+
+
+@dataclass(frozen=True)
 class Assignment:
-    """A homework.
+    """A homework, or an exam.
 
     Parameters
     ----------
@@ -127,6 +142,8 @@ class Assignment:
         What a lecturer grades by hand: {name: what it is}; its points are those of `BY_HAND`.
     pool : tuple of str
         Problems of which each student has one.
+    exam : Exam or None
+        What an exam has beside; only the grading judges its answers.
     """
 
     name: str
@@ -141,6 +158,7 @@ class Assignment:
     numbers: dict | None = None
     by_hand: dict = field(default_factory=dict)
     pool: tuple = ()
+    exam: Exam | None = None
 
     @property
     def due(self):
@@ -183,7 +201,7 @@ class Assignment:
         return [
             answer
             for answer in self.points[problem]
-            if {problem, f"{problem}.{answer}"} & set(self.kept_for_grading)
+            if self.exam or {problem, f"{problem}.{answer}"} & set(self.kept_for_grading)
         ]
 
     def exempt_of(self, student):
@@ -287,7 +305,7 @@ def from_text(text, path):
     )
     direction = table.get("direction", False)
     _require(type(direction) is bool, path, "direction is true or false, without quotes")
-    by_hand, points_by_hand = _by_hand(path, table.get(BY_HAND, {}))
+    by_hand, points_by_hand = read_by_hand(path, table.get(BY_HAND, {}))
     points = _points(path, problems, table.get("points", {}), pool)
     kept = table.get("kept_for_grading", [])
     names = {*points, *(f"{p}.{a}" for p, answers in points.items() for a in answers)}
@@ -295,6 +313,12 @@ def from_text(text, path):
         isinstance(kept, list) and all(name in names for name in kept),
         path,
         'kept_for_grading is a list of problems or answers of the assignment: ["1.17", "1.15.e_region"]',
+    )
+    exam = read_exam(path, table["exam"]) if "exam" in table else None
+    _require(
+        not (exam and (direction or kept)),
+        path,
+        "an exam judges no answer before the grading: leave direction and kept_for_grading out",
     )
     points |= points_by_hand
     try:
@@ -313,6 +337,7 @@ def from_text(text, path):
         tuple(kept),
         by_hand=by_hand,
         pool=tuple(pool),
+        exam=exam,
     )
 
 
@@ -405,7 +430,7 @@ def _points(path, problems, table, pool=()):
     return points
 
 
-def _by_hand(path, table):
+def read_by_hand(path, table):
     """Return ({name: what it is}, its points by `BY_HAND`) of what a lecturer grades."""
     _require(
         isinstance(table, dict)
@@ -422,6 +447,20 @@ def _by_hand(path, table):
     )
     points = {name: float(item["points"]) for name, item in table.items()}
     return {name: item["text"] for name, item in table.items()}, {BY_HAND: points} if points else {}
+
+
+def read_exam(path, table):
+    """Return the `Exam` of a table; raises `AssignmentError`."""
+    _require(
+        isinstance(table, dict)
+        and {"minutes"} <= table.keys() <= {"minutes", "aids"}
+        and type(table["minutes"]) is int
+        and table["minutes"] > 0
+        and isinstance(table.get("aids", AIDS), str),
+        path,
+        'exam is a table: [exam], and below it minutes = 90 and perhaps aids = "what may be used"',
+    )
+    return Exam(**table)
 
 
 def _require(condition, path, message):

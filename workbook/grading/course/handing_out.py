@@ -12,7 +12,8 @@ from pathlib import Path
 
 from workbook.authoring.contract import item_of
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course.assignment import POOL, AssignmentError
+from workbook.grading.course import exams
+from workbook.grading.course.assignment import BY_HAND, POOL, AssignmentError
 from workbook.grading.course.policy import can_be_due
 from workbook.notebooks import exercises
 from workbook.numbering import read_number
@@ -55,7 +56,9 @@ def make(
     kept_for_grading=(),
     own_numbers=False,
     pool=(),
-    items=None,
+    marks=None,
+    exam=None,
+    by_hand=None,
 ):
     """Write a homework into `folder`/`name`, which must not exist.
 
@@ -81,8 +84,13 @@ def make(
         Whether the notebooks are left out, since each student gets others (`student_folders`).
     pool : list of str
         Further problems, of which each student gets one.
-    items : dict, optional
-        The items that are asked, by problem; the answers to its other items have no points.
+    marks : dict, optional
+        {problem: {answer: points}} of problems where only some answers are asked, or not all are
+        worth a point; the other answers of these have no points.
+    exam : Exam, optional
+        What makes it an exam, which has a cover page as well.
+    by_hand : dict, optional
+        {name: {"points": ..., "text": ...}} of what a lecturer grades by hand.
 
     Returns
     -------
@@ -103,9 +111,19 @@ def make(
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
     _check([*problems, *pool])
-    toml = _toml(title or name, problems, due, direction, kept_for_grading, pool, items or {})
+    toml = _toml(
+        title or name,
+        problems,
+        due,
+        direction,
+        kept_for_grading,
+        pool,
+        marks or {},
+        exam,
+        by_hand or {},
+    )
     homework = assignments.from_text(toml, target / "assignment.toml")
-    files = {"assignment.toml": toml, "README.md": _readme(homework)}
+    files = {"assignment.toml": toml, **texts_for_students(homework)}
     if not own_numbers:
         files |= {file_name(p): release(homework, p, site) for p in [*problems, *pool]}
     writing = target.with_name(f".{name}.writing")  # renamed when all is there
@@ -120,6 +138,16 @@ def make(
         shutil.rmtree(writing, ignore_errors=True)
         raise AssignmentError(f"{target} cannot be written: {error.strerror}") from None
     return homework
+
+
+def texts_for_students(homework):
+    """Return {file name: text} of what students read before the notebooks."""
+    if homework.exam is None:
+        return {"README.md": _readme(homework)}
+    return {
+        "README.md": exams.readme(homework, due_text(homework.due) if homework.due else ""),
+        "cover.html": exams.cover(homework),
+    }
 
 
 def file_name(problem):
@@ -137,11 +165,15 @@ def release(homework, variant, site=""):
     Its check cells say what the homework wants them to.
     """
     notebook = json.loads(exercises.find(variant).path.read_text(encoding="utf-8"))
-    kept = homework.kept_of(variant.partition("~")[0])
+    problem = variant.partition("~")[0]
+    if kept := homework.kept_of(problem):
+        notebook["metadata"]["workbook"][exercises.KEPT_NAMES] = kept
     for cell in notebook["cells"]:
         if "check" in cell["metadata"].get("tags", ()):
             source = exercises.keeping_for_grading("".join(cell["source"]), kept)
             cell["source"] = source if homework.direction else exercises.hiding_direction(source)
+    if homework.exam:
+        exams.make_exam(notebook, homework, problem)
     if site := exercises.home_of(variant).site or site:
         # Homework links to the student edition, which has no solutions.
         to_site = exercises.site_urls(site)
@@ -182,17 +214,31 @@ def _check(problems):
         raise AssignmentError("a problem is named twice")
 
 
-def _toml(title, problems, due, direction, kept_for_grading, pool, items):
+def _toml(title, problems, due, direction, kept_for_grading, pool, marks, exam, by_hand):
     quoted, pool_quoted = (", ".join(map(_text, numbers)) for numbers in (problems, pool))
-    points = "\n".join(_points(problem, items.get(problem)) for problem in problems)
+    points = "\n".join(_points(problem, marks.get(problem)) for problem in problems)
     if pool:
         points = (
             f"{POOL} = {len(assignments.answers_of(pool[0]))}  # each of its problems\n{points}"
         )
     first = (*problems, *pool)[0]
+    judging = (
+        "\n[exam]  # the notebooks judge no answer, only the grading\n"
+        f"minutes = {exam.minutes}  # the time allowed\n"
+        f"aids = {_text(exam.aids)}  # what may be used\n\n"
+        if exam
+        else f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
+        "too small, as in practice\n"
+        f"kept_for_grading = [{', '.join(map(_text, kept_for_grading))}]  # answers that the notebooks do "
+        "not judge, only the grading\n\n"
+    )
+    given = "".join(
+        f"{_text(name)} = {{points = {item['points']:g}, text = {_text(item['text'])}}}\n"
+        for name, item in by_hand.items()
+    )
     return (
-        "# What counts. README.md tells the students the same: after a change here, change it "
-        "there too.\n"
+        f"# What counts. {'README.md, cover.html and the notebooks tell' if exam else 'README.md tells'} "
+        "the students the same: after a change here, change it there too.\n"
         f"title = {_text(title)}\nproblems = [{quoted}]\n"
         + (f"pool = [{pool_quoted}]  # each student has one of them\n" if pool else "")
         + (
@@ -201,16 +247,14 @@ def _toml(title, problems, due, direction, kept_for_grading, pool, items):
             else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n"
         )
         + '# zone = "Europe/Moscow"  # of the times in Moodle\'s worksheet; by default that of due\n'
-        + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
-        "ones do not count\n"
-        f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
-        "too small, as in practice\n"
-        f"kept_for_grading = [{', '.join(map(_text, kept_for_grading))}]  # answers that the notebooks do "
-        "not judge, only the grading\n\n"
+        + f'attempt = "{"last" if exam else "best"}"  # which of several submissions counts: "best" or '
+        '"last"\n# attempts = 3  # further ones do not count\n'
+        f"{judging}"
         f"# A problem's points are shared equally by its answers; "
         f"{_text(first + '.' + assignments.answers_of(first)[0])} = 2 "
         f"would set one answer's.\n[points]\n{points}\n\n"
-        "# Without this lateness is marked and costs nothing.\n# [late]\n"
+        + (f"[{BY_HAND}]  # what a lecturer grades\n{given}\n" if given else "")
+        + "# Without this lateness is marked and costs nothing.\n# [late]\n"
         "# per_day = 0.1  # the share of the points that each day begun takes\n"
         "# floor = 0.5  # the share that is kept until the cut-off\n"
         "# cutoff_days = 7  # later work has no points\n\n"
@@ -221,20 +265,21 @@ def _toml(title, problems, due, direction, kept_for_grading, pool, items):
     )
 
 
-def _points(problem, items):
-    """Return the lines of a problem's points: one an answer, none for what is not asked."""
+def _points(problem, marks):
+    """Return the lines of a problem's points: by default one an answer, none for what is not asked."""
     answers = assignments.answers_of(problem)
-    asked = [answer for answer in answers if not items or item_of(answer) in items]
-    return "\n".join(
-        [
-            f"{_text(problem)} = {len(asked)}  # {', '.join(asked)}",
-            *(
-                f"{_text(f'{problem}.{answer}')} = 0  # not asked"
-                for answer in answers
-                if answer not in asked
-            ),
-        ]
-    )
+    marks = marks or dict.fromkeys(answers, 1)
+    for name in marks.keys() - set(answers):
+        raise AssignmentError(f"problem {problem} has no answer {name}")
+    asked = [answer for answer in answers if answer in marks]
+    differ = len(set(marks.values())) > 1
+    lines = [f"{_text(problem)} = {sum(marks.values()):g}  # {', '.join(asked)}"]
+    for answer in answers:
+        if answer not in marks:
+            lines.append(f"{_text(f'{problem}.{answer}')} = 0  # not asked")
+        elif differ:
+            lines.append(f"{_text(f'{problem}.{answer}')} = {marks[answer]:g}")
+    return "\n".join(lines)
 
 
 def _text(value):

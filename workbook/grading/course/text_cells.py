@@ -3,6 +3,7 @@
 from functools import cache
 from pathlib import Path
 
+from workbook.grading.course import exams
 from workbook.grading.sandbox import submitted_file
 from workbook.grading.sandbox.sanitising import normalise_name
 from workbook.notebooks import exercises
@@ -10,7 +11,7 @@ from workbook.numbering import number_of_name
 
 
 def read(submitted, assignment):
-    """Return {student: [(file, texts of its own)]} of a homework's notebooks.
+    """Return {student: [(file, texts of its own)]} of the notebooks of an `Assignment`.
 
     The texts are those of cells that the notebook did not have when it was handed out, or that were
     changed. Files that cannot be read are left out here; `submissions.find` reports them.
@@ -19,17 +20,27 @@ def read(submitted, assignment):
     with submitted_file.Reader() as reader:
         for path in sorted(Path(submitted).glob("*/*/*.ipynb")):
             student, homework = (normalise_name(part) for part in path.parts[-3:-1])
-            if homework != assignment or any(parent.is_symlink() for parent in path.parents[:2]):
+            if homework != assignment.name or any(
+                parent.is_symlink() for parent in path.parents[:2]
+            ):
                 continue
             try:
                 number, cells = reader.text(submitted_file.content(path))
             except (OSError, submitted_file.UnreadableFileError):
                 continue
-            pristine = _pristine(number or number_of_name(path.stem))
+            number = number or number_of_name(path.stem)
+            pristine = _pristine(number) | _of_exam(assignment, str(number).partition("~")[0])
             own = [text for cell, text in cells if cell not in pristine]
             if own:
                 texts.setdefault(student, []).append((path.name, own))
     return texts
+
+
+def _of_exam(assignment, problem):
+    """Return the hash of the text that only the notebooks of an exam have."""
+    if assignment.exam is None or problem not in assignment.problems:
+        return frozenset()
+    return frozenset({submitted_file.text_hash(exams.instruction(assignment, problem))})
 
 
 @cache

@@ -80,7 +80,7 @@ def main(root=Path("/autograder")):
     hint_counts = {
         (answer.problem, answer.answer): len(hints(answer, exercises.find(answer.problem).about))
         for answer in score.answers
-        if answer.problem in score.counted
+        if answer.problem in score.counted and homework.exam is None  # whose notebooks have none
     }
     remarks += [
         f"{problem}: {remark}"

@@ -296,9 +296,9 @@ def _hidden(matrix, output):
     ]
 
 
-def possible_margins(mutant, reference, system, mu, parameters=()):
+def possible_degrees(mutant, reference, system, mu, parameters=()):
     """On a grid of the parameters, by the rank of (A - lambda E; H) at each eigenvalue; at every
-    place about the margin found and about the roots of the mutant's terms in mu."""
+    place about the degree found and about the roots of the mutant's terms in mu."""
     if not isinstance(mutant, LOGIC):
         return False
     mutant = mutant.subs(
@@ -320,12 +320,12 @@ def possible_margins(mutant, reference, system, mu, parameters=()):
             for root in sp.Poly(atom.lhs - atom.rhs, mu).real_roots()
         ]
         turns += [best] if hidden else []
-        for margin in {
+        for degree in {
             turn + step
             for turn in turns
             for step in (sp.Rational(-1, 1000), 0, sp.Rational(1, 1000))
         } | {sp.Rational(1, 7), sp.Integer(50)}:
-            if margin > 0 and (said.subs(mu, margin) == sp.true) != (not hidden or margin <= best):
+            if degree > 0 and (said.subs(mu, degree) == sp.true) != (not hidden or degree <= best):
                 return False
     return True
 
@@ -376,6 +376,6 @@ ORACLES = {
     "equation_gains": equation_gains,
     "observer_equations": observer_equations,
     "gain_region": gain_region,
-    "possible_margins": possible_margins,
+    "possible_degrees": possible_degrees,
     "undetectable_mode": undetectable_mode,
 }
