@@ -67,7 +67,7 @@ def manual_control():
     control.line(best, if_shown(t), best_u, "dashed", "the best arcs")
     for k, level in enumerate(levels):
         control.point((k + sp.Rational(1, 2)) * DURATION / PIECES, level)
-    plane = figure.panel("x1", "x2", (-6.5, 6.5), (-6.5, 6.5))
+    plane = figure.panel("x1", "x2", (-7.5, 7.5), (-7.5, 7.5))
     plane.line(motion, x, v, "solid", "by hand")
     plane.line(best, if_shown(best_x), best_v, "dashed", "the best arcs")
     figure.sentence(

@@ -48,7 +48,7 @@ def distance_to_unobservable(problem="2.5", item="g"):
         "and the distance to the nearest unobservable pair over a parameter.",
     )
     figure.parameter(alpha, 1, RANGE, step=float(STEP))
-    figure.parameter(level, 0.5, (0.01, 2), "level of σ")
+    figure.parameter(level, 0.8, (0.01, 2), "level of σ")
     figure.quantity(at, STEP * sp.floor(alpha / STEP + sp.Rational(1, 2)))
     table = figure.table(
         {
