@@ -39,7 +39,7 @@ from pathlib import Path
 
 from stopwatch import Taken, run
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.notebooks import exercises
 from workbook.numbering import read_number
 
@@ -156,7 +156,7 @@ def hand_in(course, students, problems):
         notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
         stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
         # A student's notebook has a cell for each answer, a master one for several.
-        answers = read(ROOT / "solutions" / read_number(problem).file(".md")).code("answer")
+        answers = read_master(ROOT / "solutions" / read_number(problem).file(".md")).code("answer")
         for cell, source in zip(stubs, ["\n".join(answers)] + [""] * (len(stubs) - 1), strict=True):
             cell["source"] = source
         first = next(k for k, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")

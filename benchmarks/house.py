@@ -159,11 +159,11 @@ def extremal():
 
 def checked_notebook():
     """Run `workbook check` on a notebook with right answers."""
-    from workbook.authoring import read
+    from workbook.authoring import read_master
     from workbook.cli import app
 
     def check(number):
-        master = read(ROOT / "solutions" / f"ch{number}" / "p03.md")
+        master = read_master(ROOT / "solutions" / f"ch{number}" / "p03.md")
         notebook = json.loads(master.exercise.read_text(encoding="utf-8"))
         roles = [cell.get("metadata", {}).get("tags", []) for cell in notebook["cells"]]
         first_check = roles.index(["check"])
@@ -181,12 +181,12 @@ def checked_notebook():
 
 def student_notebook():
     """Read a master and make the student's notebook of it."""
-    from workbook.authoring import Links, read
+    from workbook.authoring import Links, read_master
     from workbook.authoring.student_notebook import baseurl, student_notebook
 
     links = Links(ROOT, baseurl(ROOT))
     return lambda number: student_notebook(
-        read(ROOT / "solutions" / f"ch{number}" / "p03.md"), links
+        read_master(ROOT / "solutions" / f"ch{number}" / "p03.md"), links
     )
 
 

@@ -1,20 +1,15 @@
-"""Start of `workbook live 1.15` against plain `jupyter lab`, and frames of the explorers.
+"""Start of `workbook live 1.15` against plain `jupyter lab`.
 
 Both servers are driven as JupyterLab's page drives them: the notebook is requested, a kernel is
 started, the first cell is sent to it. A cold start is the first one after the files of the
 environment have left the system's cache, which needs root; without it only warm starts are timed.
 The time that the browser takes to draw its page is not included.
-
-A frame is measured in core-seconds of the kernel, which do not depend on the load of the machine,
-and as pictures a second in the browser while a pointer moves (needs Chromium; `--frames` times
-frames only). The bar is 20 a second. The formats of a frame are compared on one picture.
 """
 
 import json
 import os
 import re
 import secrets
-import shutil
 import signal
 import socket
 import subprocess
@@ -43,14 +38,6 @@ CHECK = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
 
 
 def main():
-    if "--frames" not in sys.argv:
-        start_times()
-    frame_formats()
-    frames_in_kernel()
-    frames_in_browser()
-
-
-def start_times():
     workbook_runs, jupyter_runs = [], []
     for _ in range(RUNS):  # in turns, so that both meet the same machine
         workbook_runs.append(time_lecture(live))
@@ -72,190 +59,6 @@ def start_times():
         print(f"first cell, cold: workbook live {time_lecture(live)['first cell']:6.2f} s")
         drop_file_caches()
         print(f"first cell, cold: jupyter lab  {time_lecture(lab)['first cell']:6.2f} s")
-
-
-#: Explorers that the kernel draws, with the parameters that are moved.
-EXPLORERS = {
-    "phase_portrait 1.4": "epsilon",
-    "distance_to_unobservable": "alpha",
-    "manual_control": None,
-}
-FRAMES = 40
-
-
-def frames_in_kernel():
-    """Core-seconds of one frame, by a slider and by the pointer, and of opening the explorer."""
-    from workbook.live.explorers import explore
-
-    print(
-        "\nexplorer                 opens       by slider   by pointer   (core-seconds in the "
-        "kernel)"
-    )
-    for arguments, parameter in EXPLORERS.items():
-        began = time.process_time()
-        explorer = explore(arguments)
-        opened = time.process_time() - began
-        by_slider = "-"
-        if parameter:
-            control = explorer.controls[parameter]
-            positions = [
-                type(control.value)(control.min + (control.max - control.min) * (k + 0.5) / FRAMES)
-                for k in range(FRAMES)
-            ]
-            seconds_of_frame = core_seconds(
-                explorer, lambda position: setattr(control, "value", position), positions
-            )
-            by_slider = f"{seconds_of_frame * 1e3:.1f} ms"
-        by_pointer = "-"
-        if explorer.follows_pointer:
-            positions = [
-                f"{k} {0.2 + 0.2 * k / FRAMES:.4f} {0.3 + 0.4 * k / FRAMES:.4f}"
-                for k in range(FRAMES)
-            ]
-            moves = core_seconds(
-                explorer, lambda position: setattr(explorer._pointer, "value", position), positions
-            )
-            by_pointer = f"{moves * 1e3:.1f} ms"
-        print(f"{arguments:22} {opened:6.2f} s {by_slider:>14} {by_pointer:>12}")
-
-
-def core_seconds(explorer, move, positions):
-    """Of a frame, or nan where the moves draw none."""
-    move(positions[0])
-    frames, began = explorer.frames, time.process_time()
-    for position in positions[1:]:
-        move(position)
-    return (
-        (time.process_time() - began) / (explorer.frames - frames)
-        if explorer.frames > frames
-        else float("nan")
-    )
-
-
-def frame_formats():
-    """Time the formats of one picture, drawn whole and by its moving parts."""
-    import io
-
-    from PIL import Image
-
-    from workbook.live.explorers import explore
-
-    explorer = explore("phase_portrait 1.4")
-    figure, canvas = explorer.figure.figure, explorer.figure._canvas
-    picture = Image.frombuffer(
-        "RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1
-    )
-
-    def saved(form, **options):
-        file = io.BytesIO()
-        picture.convert("RGB").save(file, form, **options)
-        return len(file.getvalue())
-
-    def whole(form):
-        file = io.BytesIO()
-        figure.savefig(file, format=form)
-        return len(file.getvalue())
-
-    ways = {
-        "moving parts, JPEG (ours)": lambda: len(explorer.figure.frame()),
-        "of this the JPEG": lambda: saved("jpeg", quality=93, subsampling=0),
-        "the PNG instead": lambda: saved("png", compress_level=1),
-        "the BMP instead": lambda: saved("bmp"),
-        "whole figure, PNG": lambda: whole("png"),
-        "whole figure, SVG": lambda: whole("svg"),
-    }
-    for name, way in ways.items():
-        runs = 3 if "whole" in name else 20
-        size = way()
-        began = time.process_time()
-        for _ in range(runs):
-            way()
-        print(
-            f"{name:26} {(time.process_time() - began) / runs * 1e3:7.1f} ms {size / 1e3:7.0f} kB"
-        )
-
-
-def frames_in_browser():
-    """Count the frames that a page loads in a second while a pointer moves over it."""
-    sys.path.insert(0, str(ROOT / "tests" / "browser"))
-    from chromium import Browser
-    from selenium.webdriver import ActionChains
-    from selenium.webdriver.common.keys import Keys
-
-    if not (shutil.which("chromium") and shutil.which("chromedriver")):
-        return
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        process, port, token, path = live(Path(folder))
-        browser = Browser(
-            shutil.which("chromium"), shutil.which("chromedriver"), f"{folder}/profile"
-        )
-        try:
-            for arguments in EXPLORERS:
-                notebook = call(port, token, f"/api/contents/{path}")["content"]
-                notebook["cells"] = [
-                    {
-                        "cell_type": "code",
-                        "id": "one",
-                        "execution_count": None,
-                        "metadata": {},
-                        "outputs": [],
-                        "source": f"%explore {arguments}",
-                    }
-                ]
-                call(
-                    port,
-                    token,
-                    f"/api/contents/{path}",
-                    {"type": "notebook", "content": notebook},
-                    "PUT",
-                )
-                browser.open("about:blank")
-                browser.open(f"http://127.0.0.1:{port}/doc/tree/{path}?token={token}&reset")
-                idle = "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'"
-                browser.wait_for(
-                    "document.querySelector('.jp-NotebookPanel .cm-content')?.offsetParent", 60
-                )
-                browser.wait_for(idle, 60)
-                time.sleep(2)
-                browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
-                ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(
-                    Keys.SHIFT
-                ).perform()
-                browser.wait_for(
-                    "document.querySelector('.workbook-figure img')?.naturalWidth > 100", 60
-                )
-                browser.wait_for(idle, 60)
-                print(
-                    f"{arguments:22} {browser.driver.execute_async_script(COUNT_FRAMES):5.1f} frames a "
-                    "second in the browser"
-                )
-        finally:
-            browser.driver.quit()
-            end(process)
-
-
-#: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does
-#: nothing.
-COUNT_FRAMES = """
-const done = arguments[0], layer = document.querySelector('.workbook-layer');
-const image = document.querySelector('.workbook-figure img'), box = image.getBoundingClientRect();
-const handle = document.querySelector('.workbook-explorer .noUi-handle'), began = performance.now();
-let frames = 0;
-image.addEventListener('load', () => frames++);
-function step() {
-  const t = (performance.now() - began)/1000;
-  if (t > 4) return done(frames/4);
-  if (layer) {
-    layer.stroke = [];
-    layer.dispatchEvent(new PointerEvent('pointermove', {bubbles: true, buttons: 1,
-      clientX: box.left + (0.25 + 0.15*Math.sin(3*t))*box.width,
-      clientY: box.top + (0.45 + 0.25*Math.cos(2*t))*box.height}));
-  } else {
-    handle.dispatchEvent(new KeyboardEvent('keydown', {key: t % 2 < 1 ? 'ArrowRight' : 'ArrowLeft'}));
-  }
-  requestAnimationFrame(step);
-}
-step();"""
 
 
 def drop_file_caches():

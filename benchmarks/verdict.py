@@ -19,12 +19,14 @@ def main(number="1.15"):
     import nbformat
     import sympy  # noqa: F401
 
-    from workbook.authoring import read
+    from workbook.authoring import read_master
     from workbook.notebooks import exercises
     from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)
-    master = read(ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md")
+    master = read_master(
+        ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md"
+    )
     notebook = nbformat.v4.new_notebook(
         cells=[nbformat.v4.new_code_cell(s) for s in master.code("data", "answer", "check")]
     )

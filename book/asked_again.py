@@ -39,11 +39,11 @@ def main(root, problems="ch*/p*"):
 
 def rows_of(page, exercise, links):
     """Return row -> {"statement", "notebook"} for the last rows of a problem."""
-    from workbook.authoring.master import read
+    from workbook.authoring.master import read_master
     from workbook.authoring.student_notebook import student_notebook
     from workbook.authoring.variants import Variants
 
-    variants, found = Variants(read(page)), {}
+    variants, found = Variants(read_master(page)), {}
     last = len(variants.numbers.rows)
     for row in range(max(1, last - ROWS), last):
         notebook = student_notebook(variants.variant(row), links)

@@ -27,7 +27,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom, BooleanFunction
 
 from workbook import checks
-from workbook.authoring.master import master_paths, read
+from workbook.authoring.master import master_paths, read_master
 from workbook.authoring.mistakes import as_received, mistake_sentence
 from workbook.authoring.trials import trials_file
 from workbook.checks.contract.check_cells import reported_names, with_one_answer
@@ -72,7 +72,7 @@ def main(root):
     if state.exists() and state.read_text("utf-8") == digest:
         print("no trial has changed, all common mistakes are up to date")
         return 0
-    problems = [_problem(read(path), folder) for path in paths]
+    problems = [_problem(read_master(path), folder) for path in paths]
     for leftover in set(folder.glob("ch*/*.json")) - {problem.file for problem in problems}:
         leftover.unlink()
     stale = [problem for problem in problems if not _is_fresh(problem)]

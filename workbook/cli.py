@@ -69,7 +69,7 @@ def solve(
     as_json: AsJson = False,
 ):
     """Run the worked solution of a problem (where its master is); print answers and verdicts."""
-    from workbook.authoring import read
+    from workbook.authoring import read_master
     from workbook.checks.contract.decoding import describe_encoded
     from workbook.notebooks.execution import judge, run_notebook
 
@@ -80,7 +80,7 @@ def solve(
             f"the solution of {number} is not here: solutions are only in a checkout of the "
             "workbook"
         )
-    master = read(master_path)
+    master = read_master(master_path)
     run = run_notebook(master.code("data", "answer"), master.answers)
     if run.errors:
         raise UserError(f"{master_path.name} fails: {run.errors[0]}")
@@ -457,7 +457,7 @@ def _masters(home, numbers):
 
     if not numbers:
         return authoring.read_all(home.solutions)
-    return [authoring.read(exercises.master_path(number)) for number in numbers]
+    return [authoring.read_master(exercises.master_path(number)) for number in numbers]
 
 
 def _exit_with(error):

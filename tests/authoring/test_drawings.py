@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring import master_paths, read
+from workbook.authoring import master_paths, read_master
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,7 +18,7 @@ DRAWN = [
     for path in master_paths(ROOT / "solutions")
     if "\n:tags: [drawing" in path.read_text(encoding="utf-8")
 ]
-read_cached = functools.cache(read)
+read_cached = functools.cache(read_master)
 
 
 def drawings(master):

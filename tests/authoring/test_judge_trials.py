@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
 import judge_trials
 from judge_trials import Mistake
 
-from workbook.authoring.master import read, read_all
+from workbook.authoring.master import read_all, read_master
 from workbook.authoring.mistakes import mistake_sentence
 from workbook.authoring.trials import trials_file
 
@@ -102,7 +102,7 @@ def test_conditions_of_two_parameters_are_drawn(value, drawn):
 
 
 def test_worked_answers_are_not_shown_as_code():
-    master = read(ROOT / "solutions" / "ch1" / "p15.md")
+    master = read_master(ROOT / "solutions" / "ch1" / "p15.md")
     judge = judge_trials.Judge(master)
     (trial,) = [t for t in master.trials["right"] if t.source.startswith("p, q")]
     typed = judge._typed(trial, [x > 0, x * y - 1 > 0])

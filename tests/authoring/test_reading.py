@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring import MasterError, read
+from workbook.authoring import MasterError, read_master
 from workbook.authoring.contract import validate_front_matter
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -28,7 +28,7 @@ def write_master(tmp_path):
 
 
 def test_a_master_is_read():
-    master = read(ROOT / "solutions" / "ch1" / "p15.md")
+    master = read_master(ROOT / "solutions" / "ch1" / "p15.md")
     assert (master.number, master.section, master.level) == ("1.15", "§1.2", "core")
     assert list(master.answers) == ["a_region", "b_region", "c_region", "d_region", "e_region"]
     assert master.answers["a_region"].kind == "condition" and not master.answers["a_region"].exact
@@ -42,8 +42,10 @@ def test_a_master_is_read():
 
 
 def test_the_core_of_a_problem(write_master):
-    assert read(write_master(GOOD)).core == ()
-    assert read(write_master(GOOD.replace("level: core", "level: core\n  core: [a, d]"))).core == (
+    assert read_master(write_master(GOOD)).core == ()
+    assert read_master(
+        write_master(GOOD.replace("level: core", "level: core\n  core: [a, d]"))
+    ).core == (
         "a",
         "d",
     )
@@ -131,7 +133,7 @@ def line_of(text, part):
 def test_a_broken_contract_is_an_error(write_master, old, new, message):
     assert old in GOOD
     with pytest.raises(MasterError, match=message) as raised:
-        read(write_master(GOOD.replace(old, new, 1)))
+        read_master(write_master(GOOD.replace(old, new, 1)))
     assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
 
 
@@ -150,7 +152,7 @@ def test_a_broken_contract_is_an_error(write_master, old, new, message):
 def test_malformed_front_matter_is_an_error_of_one_line(write_master, old, new, message):
     assert old in GOOD
     with pytest.raises(MasterError, match=message) as raised:
-        read(write_master(GOOD.replace(old, new, 1)))
+        read_master(write_master(GOOD.replace(old, new, 1)))
     assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
 
 
@@ -182,9 +184,9 @@ def test_a_drawing_stands_in_the_statement_with_its_caption(write_master, fence,
             MasterError,
             match=rf"p15\.md:{line_of(page, 'from workbook.display import Drawing')}: {message}",
         ):
-            read(write_master(page))
+            read_master(write_master(page))
     else:
-        assert len(read(write_master(page)).code("drawing")) == 1
+        assert len(read_master(write_master(page)).code("drawing")) == 1
 
 
 @pytest.mark.parametrize(
@@ -205,14 +207,14 @@ def test_a_drawing_stands_in_the_statement_with_its_caption(write_master, fence,
 def test_errors_name_the_line(write_master, old, new, expected):
     page = GOOD.replace(old, new, 1)
     with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, expected)}: "):
-        read(write_master(page))
+        read_master(write_master(page))
 
 
 def test_page_and_trials_are_required(write_master):
     path = write_master()
-    assert read(path).trials == read(ROOT / "solutions" / "ch1" / "p15.md").trials
+    assert read_master(path).trials == read_master(ROOT / "solutions" / "ch1" / "p15.md").trials
     path.with_suffix(".trials.py").unlink()
     with pytest.raises(MasterError, match=r"p15\.trials\.py:1: "):
-        read(path)
+        read_master(path)
     with pytest.raises(MasterError, match=r"p16\.md:1: "):
-        read(path.with_name("p16.md"))
+        read_master(path.with_name("p16.md"))

@@ -14,7 +14,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from workbook.authoring import Cell, Links, Trial, new_problem, read
+from workbook.authoring import Cell, Links, Trial, new_problem, read_master
 from workbook.authoring.judged_problem import call_nodes
 from workbook.authoring.mistakes import mistake_sentence, source_hash
 from workbook.authoring.scaffold import PLACEHOLDER
@@ -231,7 +231,7 @@ BROKEN = {
 @pytest.mark.parametrize("rule", BROKEN, ids=lambda rule: rule.__name__)
 def test_a_rule_finds_what_breaks_it(rule):
     broken, told = BROKEN[rule]
-    assert told in "\n".join(findings(rule, [broken(read(ROOT / "solutions/ch1/p15.md"))]))
+    assert told in "\n".join(findings(rule, [broken(read_master(ROOT / "solutions/ch1/p15.md"))]))
 
 
 def test_a_finding_has_the_file_and_the_line(tmp_path, monkeypatch):
@@ -241,5 +241,5 @@ def test_a_finding_has_the_file_and_the_line(tmp_path, monkeypatch):
     first = next(
         k for k, line in enumerate(page.read_text("utf-8").split("\n"), 1) if PLACEHOLDER in line
     )
-    found = findings(nothing_is_left_of_the_template, [read(page)])
+    found = findings(nothing_is_left_of_the_template, [read_master(page)])
     assert found[0].startswith(f"solutions/ch6/p99.md:{first}: to be replaced: ")

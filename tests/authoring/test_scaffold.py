@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring import new_problem, read
+from workbook.authoring import new_problem, read_master
 from workbook.authoring.trials import trials_file
 from workbook.course import ADDED, LAST_PRINTED
 
@@ -31,7 +31,7 @@ def solutions(tmp_path):
 )
 def test_a_scaffold_is_a_valid_master(solutions, number, name, section):
     page, trials = new_problem(solutions, number)
-    master = read(page)
+    master = read_master(page)
     assert page == solutions / name and trials == trials_file(page)
     assert (master.number, master.section) == (number, section)
     assert {role: len(trials_of_role) for role, trials_of_role in master.trials.items()} == {
@@ -66,10 +66,10 @@ def test_the_last_printed_problems_are_those_of_the_book():
     folder = Path(__file__).resolve().parents[2] / "solutions"
     assert sum(LAST_PRINTED.values()) == 194
     for chapter, last in LAST_PRINTED.items():
-        masters = map(read, folder.glob(f"ch{chapter}/p*.md"))
+        masters = map(read_master, folder.glob(f"ch{chapter}/p*.md"))
         printed = [master.number for master in masters if master.section != ADDED]
         assert sorted(int(number.split(".")[1]) for number in printed) == [*range(1, last + 1)]
 
 
 def test_research_chapters_are_open(solutions):
-    assert read(new_problem(solutions, "6.99")[0]).number == "6.99"
+    assert read_master(new_problem(solutions, "6.99")[0]).number == "6.99"

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from trajlib import __version__
-from workbook.authoring import Links, MasterError, read
+from workbook.authoring import Links, MasterError, read_master
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.student_notebook import WIDTH, student_notebook
 from workbook.notebooks import exercises
@@ -79,7 +79,7 @@ def test_the_last_cell_names_chapters_of_equations():
         ("3.25", "(2.6)", "decomposition"),
     ):
         *others, last = student_notebook(
-            read(ROOT / "solutions" / read_number(number).file(".md")), Links(ROOT)
+            read_master(ROOT / "solutions" / read_number(number).file(".md")), Links(ROOT)
         )["cells"]
         assert any(reference in cell["source"] for cell in others)
         assert re.search(
@@ -93,7 +93,7 @@ def test_the_last_cell_names_chapters_of_equations():
 
 def test_lines_of_code_fit_a_notebook():
     cells = student_notebook(
-        read(ROOT / "solutions" / read_number("1.15").file(".md")), Links(ROOT)
+        read_master(ROOT / "solutions" / read_number("1.15").file(".md")), Links(ROOT)
     )["cells"]
     lines = [
         line
@@ -108,7 +108,7 @@ def test_links_need_the_address_of_the_site(links, tmp_path):
     """`../../_build/html` is nowhere on a student's machine."""
     for base in ("", "https://example.org/course/"):
         for number in ("1.15", "2.5", "5.3"):
-            master = read(ROOT / "solutions" / read_number(number).file(".md"))
+            master = read_master(ROOT / "solutions" / read_number(number).file(".md"))
             cells = student_notebook(master, Links(ROOT, base))["cells"]
             matches = [
                 address
@@ -126,7 +126,7 @@ def test_links_need_the_address_of_the_site(links, tmp_path):
 
 def test_links_to_another_site():
     """A homework's notebook links to the site named for it, not to that of the checkout."""
-    master = read(ROOT / "solutions" / "ch2" / "p05.md")
+    master = read_master(ROOT / "solutions" / "ch2" / "p05.md")
     plain, linked = (
         student_notebook(master, Links(ROOT)),
         student_notebook(master, Links(ROOT, "https://ours.example")),
@@ -146,7 +146,7 @@ def test_one_line_says_how_to_install_the_workbook(tmp_path):
     from nbclient.exceptions import CellExecutionError
 
     notebook = student_notebook(
-        read(ROOT / "solutions" / "ch1" / "p15.md"), Links(ROOT, "https://example.org")
+        read_master(ROOT / "solutions" / "ch1" / "p15.md"), Links(ROOT, "https://example.org")
     )
     hidden = "import sys; sys.modules['workbook'] = None"
     notebook["cells"].insert(
@@ -172,7 +172,7 @@ def test_one_line_says_how_to_install_the_workbook(tmp_path):
 
 
 def test_cells_of_the_student_notebook():
-    master = read(ROOT / "solutions" / "ch1" / "p15.md")
+    master = read_master(ROOT / "solutions" / "ch1" / "p15.md")
     notebook = student_notebook(master, Links(ROOT))
     roles = [
         cell["metadata"]["tags"][0] for cell in notebook["cells"] if cell["cell_type"] == "code"
@@ -230,7 +230,7 @@ def drawing_of(written, cell):
     written.with_name("p15.trials.py").write_text(
         trials.read_text(encoding="utf-8"), encoding="utf-8"
     )
-    return read(written)
+    return read_master(written)
 
 
 ROD = "from workbook.display import Drawing\n\nd = Drawing((0, 2), (0, 1))\nd.rod((0.2, 0.2), (1.8, 0.8))\nd"
@@ -270,7 +270,7 @@ def test_a_picture_is_drawn_again_only_when_its_code_changes(tmp_path):
     notebook = student_notebook(drawing_of(path, ROD), Links(ROOT))
     [shown] = [cell for cell in notebook["cells"] if "attachments" in cell]
     shown["attachments"]["drawing.png"]["image/png"] = "by another Matplotlib"
-    master = read(path)
+    master = read_master(path)
     master.exercise.parent.mkdir(parents=True)
     master.exercise.write_text(json.dumps(notebook), encoding="utf-8")
     assert student_notebook(master, Links(ROOT)) == notebook
@@ -305,7 +305,7 @@ def test_errors_of_drawings_name_the_line(tmp_path, cell, message):
 
 
 def test_conversion_is_deterministic():
-    master = read(ROOT / "solutions" / "ch1" / "p15.md")
+    master = read_master(ROOT / "solutions" / "ch1" / "p15.md")
     assert student_notebook(master, Links(ROOT)) == student_notebook(master, Links(ROOT))
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from workbook.authoring import Links, MasterError, master_paths, read
+from workbook.authoring import Links, MasterError, master_paths, read_master
 from workbook.authoring.numbers import NumbersError, phrases, read_numbers, row_texts, with_row
 from workbook.authoring.student_notebook import baseurl, student_notebook
 from workbook.authoring.trials import numbers_section, read_trials, trials_file
@@ -27,7 +27,7 @@ VARYING = [
     for path in master_paths(ROOT / "solutions")
     if numbers_section(trials_file(path))
 ]
-MASTER = read(ROOT / "solutions" / "ch2/p04.md")
+MASTER = read_master(ROOT / "solutions" / "ch2/p04.md")
 ROWS = "weight, friction, stiffness = [(1, 3, 2), (2, 7, 10)]\n"
 ANSWERS = """\
 p, q = sorted(-root for root in b_matrix.eigenvals())
@@ -239,7 +239,7 @@ def test_names_of_variants(folder):
 
 @pytest.mark.parametrize("number", VARYING)
 def test_row_0_gives_the_students_notebook_back_letter_by_letter(number):
-    master = read(ROOT / "solutions" / read_number(number).file(".md"))
+    master = read_master(ROOT / "solutions" / read_number(number).file(".md"))
     notebook = student_notebook(Variants(master).variant(0), Links(ROOT, baseurl(ROOT)))
     written = master.exercise.read_text(encoding="utf-8")
     assert json.dumps(notebook, indent=1, ensure_ascii=False) + "\n" == written

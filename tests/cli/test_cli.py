@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.notebooks import exercises
 
 pytestmark = pytest.mark.slow
@@ -61,7 +61,7 @@ def answered_notebook(tmp_path, items):
     """Write the notebook of 1.15 with items answered as in the worked solution."""
     exercise = exercises.find("1.15")
     notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
-    sources = read(ROOT / "solutions" / "ch1" / "p15.md").code("answer")
+    sources = read_master(ROOT / "solutions" / "ch1" / "p15.md").code("answer")
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for k, cell in enumerate(stubs):
         if "abcde"[k] in items:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from workbook import course
-from workbook.authoring import MasterError, new_course, new_problem, read
+from workbook.authoring import MasterError, new_course, new_problem, read_master
 from workbook.notebooks import exercises, origin
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -182,7 +182,7 @@ def test_a_check_of_ones_own_in_a_data_cell(robotics, tmp_path, monkeypatch):
     trials = robotics / "solutions/chrobotics/p01.trials.py"
     copy.with_name(trials.name).write_text(trials.read_text(encoding="utf-8"), encoding="utf-8")
     copy.write_text(changed, encoding="utf-8")
-    assert "own" in read(copy).code("check")[0]
+    assert "own" in read_master(copy).code("check")[0]
     copy.write_text(changed.replace("def own", "def other"), encoding="utf-8")
     with pytest.raises(MasterError, match="own is neither an answer nor a name of a data cell"):
-        read(copy)
+        read_master(copy)

@@ -28,7 +28,7 @@ from packaging.utils import canonicalize_name
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook, write_assignment
 
-from workbook.authoring import read, read_all
+from workbook.authoring import read_all, read_master
 from workbook.authoring.mistakes import mistake_sentence
 from workbook.cli import app
 from workbook.grading.course import assignment as assignments
@@ -105,7 +105,7 @@ def test_contents_of_the_bundle(archive):
             text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
             everything = b"\n".join(map(wheel.read, names)).decode(errors="replace")
     for number in ("1.15", "1.17"):
-        for source in read(
+        for source in read_master(
             Path(__file__).resolve().parents[2] / "solutions" / read_number(number).file(".md")
         ).code("answer"):
             assert source not in text

@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded
 
 from trajlib.typesetting import plain
-from workbook.authoring import read, read_all
+from workbook.authoring import read_all, read_master
 from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
@@ -276,7 +276,7 @@ def at_the_ends():
 @pytest.mark.parametrize("number", at_the_ends())
 def test_messages_on_wrong_answers_give_nothing_away(number):
     master, exercise = (
-        read(ROOT / "solutions" / read_number(number).file(".md")),
+        read_master(ROOT / "solutions" / read_number(number).file(".md")),
         exercises.find(number),
     )
     reference = run_notebook(master.code("data", "answer"), master.answers)
@@ -375,7 +375,7 @@ def test_named_mistakes_are_on_both_pages(store, homework):
             judged.answers,
             [],
         )
-    master = read(ROOT / "solutions" / read_number("1.15").file(".md"))
+    master = read_master(ROOT / "solutions" / read_number("1.15").file(".md"))
     first_sentence, other_sentence = (
         mistake_sentence(master, master.trials["wrong"][k]) for k in (0, 5)
     )

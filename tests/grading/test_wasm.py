@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_18, hand_in, notebook
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.authoring.student_notebook import setup
 from workbook.authoring.trials import read_trials, trials_file
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
@@ -179,7 +179,7 @@ def a_class(folder, problems):
     """Hand in four notebooks for each problem: worked, with mistakes, in other forms, broken."""
     for problem in problems:
         path = exercises.find(problem).path
-        master = read(ROOT / "solutions" / path.parent.name / f"{path.stem}.md")
+        master = read_master(ROOT / "solutions" / path.parent.name / f"{path.stem}.md")
         right = list(master.code("data", "answer"))
         trials = read_trials(trials_file(master.path), master.answers)
         kinds = {"worked": right}

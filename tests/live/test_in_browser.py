@@ -84,20 +84,25 @@ def check_explorer_of_formulas(browser):
     assert browser.wait_for(f"{sentence}.startsWith('Not all roots lie left')", 5)
 
 
-def check_explorer(browser):
-    """A slider changes the picture, and so does the pointer."""
-    image = "document.querySelector('.workbook-figure img').src"
-    assert browser.wait_for(
-        "document.querySelector('.workbook-figure img')?.naturalWidth > 500", 30
+def check_phase_portrait(browser):
+    """A slider changes the picture, and so does a click."""
+    figure = "[...document.querySelectorAll('.explorer')].find(box => box.querySelector('.field'))"
+    assert browser.wait_for(f"!!{figure}?.querySelector('input')", 30)
+    lines = f"[...{figure}.querySelectorAll('.line')].map(line => line.getAttribute('d')).join()"
+    field = f"{figure}.querySelector('.field').getAttribute('d')"
+    before = browser.run(field)
+    browser.run(
+        f"(input => {{ input.value = -1; input.dispatchEvent(new Event('input')); }})"
+        f"({figure}.querySelector('input'))"
     )
-    before = browser.run(image)
-    slider = browser.find(".workbook-explorer .noUi-handle")
-    slider.send_keys("\ue014")  # the right arrow
-    assert browser.wait_for(f"{image} !== {before!r}", 20), "the slider moves nothing"
-    time.sleep(0.5)
-    before = browser.run(image)
-    click(browser, ".workbook-layer", 0.2, 0.5)
-    assert browser.wait_for(f"{image} !== {before!r}", 20), "the pointer moves nothing"
+    assert browser.run(field) != before, "the slider moves nothing"
+    before = browser.run(lines)
+    browser.run(
+        f"(frame => {{ const box = frame.getBoundingClientRect(); frame.dispatchEvent(new MouseEvent("
+        "'click', {clientX: box.left + 0.2*box.width, clientY: box.top + 0.5*box.height})); })"
+        f"({figure}.querySelector('.frame'))"
+    )
+    assert browser.run(lines) != before, "the pointer moves nothing"
 
 
 def check_poll(browser):
@@ -194,7 +199,7 @@ def test_a_lecture_runs_with_shift_enter(lecture, browser):
             lab.below(magic)
             lab.ran_all()
         check_explorer_of_formulas(browser)
-        check_explorer(browser)
+        check_phase_portrait(browser)
         check_poll(browser)
         check_fastest_motion(browser)
         shown = browser.run("document.querySelector('.jp-Notebook').innerText")

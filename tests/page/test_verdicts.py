@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from engine_page import ROOT, literal
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.notebooks import exercises
 from workbook.numbering import read_number
 
@@ -32,7 +32,7 @@ ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
 @functools.cache
 def task(number):
     """Return the arguments of `judging.judged_problem`."""
-    problem = read(ROOT / "solutions" / read_number(number).file(".md"))
+    problem = read_master(ROOT / "solutions" / read_number(number).file(".md"))
     roles = ("data", "answer", "check")
     cells = [(cell.role, cell.source) for cell in problem.cells if cell.role in roles]
     trials = [

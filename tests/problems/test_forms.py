@@ -16,7 +16,7 @@ import scipy.sparse
 import sympy as sp
 from harness import solve
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.authoring.forms import forms
 from workbook.authoring.judged_problem import JudgedProblem
 from workbook.checks.contract.encoding import encode
@@ -100,7 +100,7 @@ REFUSED = {
 @pytest.mark.parametrize("number", PROBLEMS)
 def test_notebook_and_grade_agree(number):
     exercise = exercises.find(number)
-    master = read(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md")
+    master = read_master(SOLUTIONS / exercise.path.parent.name / f"{exercise.path.stem}.md")
     answers = in_child(solve, master, timeout=120)["answers"]
     assert in_child(_disagreements, exercise, master, answers, timeout=300) == []
 

@@ -24,7 +24,7 @@ from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
 
-from workbook.authoring import master_paths, proof, read
+from workbook.authoring import master_paths, proof, read_master
 from workbook.authoring.mistakes import answer_type_of, mistake_sentence, seal_mistakes
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
@@ -84,18 +84,18 @@ LAZY = "trajlib._lazy"
     scope="module", params=PATHS, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}"
 )
 def master(request):
-    return read(request.param)
+    return read_master(request.param)
 
 
 @functools.cache
 def _solved(path):
-    return in_child(solve, read(path), timeout=120)
+    return in_child(solve, read_master(path), timeout=120)
 
 
 @functools.cache
 def _results(path):
     """Return what the tests of a problem examine, from one process with common optima."""
-    return in_child(each_part, read(path), _solved(path)["answers"], PARTS, timeout=300)
+    return in_child(each_part, read_master(path), _solved(path)["answers"], PARTS, timeout=300)
 
 
 def result_of(master, part):
@@ -137,7 +137,7 @@ def test_a_condition_or_a_set_is_proved(master):
 
 
 def test_most_conditions_and_sets_are_proved():
-    asked = sum(len(_decidable(master)) for master in map(read, PATHS))
+    asked = sum(len(_decidable(master)) for master in map(read_master, PATHS))
     sampled = sum(map(len, SAMPLED.values()))
     assert asked > 180 and sampled < 0.05 * asked, f"{asked - sampled} of {asked} are proved"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,7 +17,9 @@ ROOT = Path(__file__).resolve().parents[2]
 def filled(number, names):
     """Return the student's notebook of a problem with the reference answers of some names."""
     exercise = exercises.find(number)
-    master = read(ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md")
+    master = read_master(
+        ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md"
+    )
     notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for cell, source in zip(stubs, master.code("answer")):

@@ -13,7 +13,7 @@ from rescaling_rules import RULES, rescaled
 from test_masters import PATHS
 
 from workbook import checks
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.authoring.judged_problem import JudgedProblem, call_nodes
 from workbook.notebooks.execution import in_child
 
@@ -48,7 +48,7 @@ def test_each_check_of_the_chapter_has_a_rule_or_a_reason():
     asked = {
         check.func.attr
         for path in CHAPTER.values()
-        for source in read(path).code("check")
+        for source in read_master(path).code("check")
         for check in call_nodes(source).values()
     }
     assert asked == (RULES.keys() | NOT_RESCALED.keys()) & asked
@@ -83,7 +83,7 @@ def _verdicts(master, answers, changes):
     "number", CHAPTER if os.environ.get("WORKBOOK_ALL_PROBLEMS") else SAMPLE, ids="[{}]".format
 )
 def test_no_verdict_depends_on_units(number):
-    master = read(CHAPTER[number])
+    master = read_master(CHAPTER[number])
     changes = CHANGES if os.environ.get("WORKBOOK_ALL_PROBLEMS") else SAMPLE[number]
     answers = in_child(solve, master, timeout=120)["answers"]
     rows = in_child(_verdicts, master, answers, tuple(changes), timeout=600)

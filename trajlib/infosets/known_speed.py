@@ -11,7 +11,7 @@ import numpy as np
 
 from trajlib._arguments.numbers import read_count, read_positive
 from trajlib._typing import ArrayLike
-from trajlib.infosets import arguments
+from trajlib.infosets import heading_arguments
 from trajlib.infosets.cells import Cells
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.polygons import normals as unit_normals
@@ -74,7 +74,7 @@ class ConstantSpeedInformationSet(Sections):
         wrapped: bool = True,
     ) -> None:
         self.mode, self.k = (
-            arguments.read_mode(mode),
+            heading_arguments.read_mode(mode),
             read_positive(k, "k", "length/time^2"),
         )
         self.dt = read_positive(dt, "dt", "time")
@@ -88,7 +88,7 @@ class ConstantSpeedInformationSet(Sections):
             )
         section, arc = (
             read_region(region, self.normals).values,
-            arguments.read_arc(heading_range, "heading_range"),
+            heading_arguments.read_arc(heading_range, "heading_range"),
         )
         self.time = 0.0
         if mode == "published":

@@ -9,8 +9,8 @@ import numpy as np
 
 from trajlib._arguments.numbers import read_count, read_interval, read_number, read_points
 from trajlib._typing import ArrayLike
-from trajlib.infosets.arguments import read_arc
 from trajlib.infosets.errors import EmptyInformationSet
+from trajlib.infosets.heading_arguments import read_arc
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.regions import Region, read_region
 

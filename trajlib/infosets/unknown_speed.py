@@ -4,7 +4,7 @@ import numpy as np
 
 from trajlib._arguments.numbers import read_count, read_interval, read_positive
 from trajlib._typing import ArrayLike
-from trajlib.infosets import arguments
+from trajlib.infosets import heading_arguments
 from trajlib.infosets.cells import Cells
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.published import Nodes
@@ -92,7 +92,7 @@ class InformationSet(Sections):
         counted_from: str | None = None,
     ) -> None:
         self.mode, self.k = (
-            arguments.read_mode(mode),
+            heading_arguments.read_mode(mode),
             read_positive(k, "k", "length/time^2"),
         )
         self.dt = read_positive(dt, "dt", "time")
@@ -109,7 +109,7 @@ class InformationSet(Sections):
         self.normals = read_count(normals, "normals", 3)
         section, arc = (
             read_region(region, self.normals).values,
-            arguments.read_arc(heading_range, "heading_range"),
+            heading_arguments.read_arc(heading_range, "heading_range"),
         )
         self.time = 0.0
         inapplicable = (

@@ -11,8 +11,8 @@ import numpy as np
 from trajlib import plotting
 from trajlib._arguments.numbers import read_times
 from trajlib._typing import ArrayLike
-from trajlib.invariant.arguments import read_covariance, read_samples, sample_functions
 from trajlib.invariant.functionals import value
+from trajlib.invariant.sample_arguments import read_covariance, read_samples, sample_functions
 from trajlib.invariant.weights import Sampled, WeightSolver
 
 if TYPE_CHECKING:

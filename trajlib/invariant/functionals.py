@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from trajlib._typing import ArrayLike
-from trajlib.invariant.arguments import derivative_of, read_finite
+from trajlib.invariant.sample_arguments import derivative_of, read_finite
 
 
 def value(t: ArrayLike) -> Callable:

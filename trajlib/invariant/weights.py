@@ -16,9 +16,9 @@ from functools import cached_property
 import numpy as np
 
 from trajlib._numerical_rank import zero_level
-from trajlib.invariant.arguments import sample_functions
 from trajlib.invariant.centring import centred, exact_rank, remainders, time_scale
 from trajlib.invariant.functionals import on_basis
+from trajlib.invariant.sample_arguments import sample_functions
 
 #: A functional of which more than this share lies in the zero directions cannot be estimated.
 REACHED = 1e-9

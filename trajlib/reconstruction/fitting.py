@@ -12,8 +12,8 @@ from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_positive, read_seconds
 from trajlib._typing import ArrayLike
 from trajlib.reconstruction import influence
-from trajlib.reconstruction.arguments import read_errors, read_record_times, read_samples
 from trajlib.reconstruction.direct import bounded_fit
+from trajlib.reconstruction.record_arguments import read_errors, read_record_times, read_samples
 from trajlib.reconstruction.robust import robust_fit
 from trajlib.reconstruction.splines import cubic_spline, join_splines
 from trajlib.reconstruction.sweep import SweepGains

@@ -22,7 +22,7 @@ only: nothing cancels, however small M is.
 import numpy as np
 
 from trajlib._typing import ArrayLike
-from trajlib.reconstruction.arguments import read_record_times, read_samples, read_weights
+from trajlib.reconstruction.record_arguments import read_record_times, read_samples, read_weights
 from trajlib.reconstruction.splines import straight_line
 
 

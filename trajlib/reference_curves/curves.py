@@ -11,9 +11,9 @@ from trajlib import plotting
 from trajlib._arguments.arrays import read_array
 from trajlib._arguments.numbers import read_seconds, read_times
 from trajlib._typing import ArrayLike
-from trajlib.reference_curves.arguments import read_axes, read_box, read_nodes
 from trajlib.reference_curves.integration import SHARPEST, Flow
 from trajlib.reference_curves.interpolation import TensorInterpolant, lebesgue_constant
+from trajlib.reference_curves.node_arguments import read_axes, read_box, read_nodes
 from trajlib.reference_curves.residuals import Residual
 
 if TYPE_CHECKING:

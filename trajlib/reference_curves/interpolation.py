@@ -14,7 +14,7 @@ import numpy as np
 
 from trajlib._arguments.arrays import read_array
 from trajlib._typing import ArrayLike
-from trajlib.reference_curves.arguments import read_nodes
+from trajlib.reference_curves.node_arguments import read_nodes
 
 #: Points that are evaluated together: what fits into the cache.
 POINTS = 4000

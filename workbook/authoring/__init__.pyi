@@ -5,8 +5,8 @@ from workbook.authoring.master import Answer as Answer
 from workbook.authoring.master import Cell as Cell
 from workbook.authoring.master import Master as Master
 from workbook.authoring.master import master_paths as master_paths
-from workbook.authoring.master import read as read
 from workbook.authoring.master import read_all as read_all
+from workbook.authoring.master import read_master as read_master
 from workbook.authoring.proof import Proof as Proof
 from workbook.authoring.proof import prove as prove
 from workbook.authoring.scaffold import new_course as new_course

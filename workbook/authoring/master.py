@@ -120,10 +120,10 @@ def master_paths(solutions):
 
 def read_all(solutions):
     """Return all masters below a folder, in the order of their numbers."""
-    return [read(path) for path in master_paths(solutions)]
+    return [read_master(path) for path in master_paths(solutions)]
 
 
-def read(path):
+def read_master(path):
     """Read and validate a master with its trials.
 
     Parameters

@@ -18,7 +18,7 @@ from workbook import course
 from workbook.authoring.contract import caption_above, plural_kind
 from workbook.authoring.drawing_cells import DrawingCells
 from workbook.authoring.links import Links
-from workbook.authoring.master import read, read_all
+from workbook.authoring.master import read_all, read_master
 from workbook.authoring.mistakes import mistakes_text, source_hash
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.statements import assigned_names
@@ -77,7 +77,7 @@ def write_exercises(root, numbers=()):
     root = Path(root)
     links, changed = Links(root, baseurl(root)), []
     masters = (
-        [read(root / "solutions" / read_number(number).file(".md")) for number in numbers]
+        [read_master(root / "solutions" / read_number(number).file(".md")) for number in numbers]
         if numbers
         else read_all(root / "solutions")
     )

@@ -21,7 +21,7 @@ import sympy as sp
 
 from workbook.authoring.errors import MasterError
 from workbook.authoring.links import Links
-from workbook.authoring.master import read
+from workbook.authoring.master import read_master
 from workbook.authoring.mistakes import as_received, seal_mistakes, trial_value
 from workbook.authoring.numbers import (
     NumbersError,
@@ -179,7 +179,7 @@ class Variants:
 
 def variants_of(root, number):
     """Return the `Variants` of a problem in the folder of a course."""
-    return Variants(read(Path(root) / "solutions" / read_number(number).file(".md")))
+    return Variants(read_master(Path(root) / "solutions" / read_number(number).file(".md")))
 
 
 def prove(root, number, rows=None):

@@ -5,7 +5,7 @@ import re
 from difflib import get_close_matches
 from functools import cached_property
 
-from workbook.authoring.master import read
+from workbook.authoring.master import read_master
 from workbook.authoring.mistakes import trial_value
 from workbook.authoring.statements import assigned_names
 from workbook.checks import collecting
@@ -35,7 +35,7 @@ class WorkedProblem:
     @cached_property
     def master(self):
         """The master."""
-        return read(exercises.master_path(self.number))
+        return read_master(exercises.master_path(self.number))
 
     @cached_property
     def exercise(self):

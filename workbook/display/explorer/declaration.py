@@ -18,6 +18,7 @@ named columns, such as the states of a trajectory at its times.
 Explorer of 1 panel: A damped oscillator and its phase plane.
 """
 
+import numpy as np
 import sympy as sp
 
 from workbook.display.explorer.formulas import Formula, pretty
@@ -29,6 +30,8 @@ __all__ = ["Explorer"]
 
 #: Points of a series, unless its declaration says otherwise.
 TRAJECTORY_POINTS, CURVE_POINTS = 400, 200
+#: Points along an axis from which equilibria are sought.
+EQUILIBRIA_GRID = 11
 
 
 class Explorer:
@@ -269,6 +272,38 @@ class Explorer:
             raise ValueError(f"polynomial: expected one in {variable}, got {polynomial}") from error
         formulas = {"coefficients": [self._formula("polynomial", value) for value in coefficients]}
         return self._add("roots", formulas, {}, sp.symbols("Re Im", real=True))
+
+    def equilibria(self, states, rates, x_range, y_range):
+        """Add the equilibria of a planar field that Newton's method finds from a grid of points.
+
+        Parameters
+        ----------
+        states : (sympy.Symbol, sympy.Symbol)
+            Symbols of the states.
+        rates : (sympy.Expr, sympy.Expr)
+            Right-hand sides, in the states and the scalars so far.
+        x_range, y_range : (float, float)
+            The window in which equilibria are sought.
+
+        Returns
+        -------
+        Series
+            Its columns are the states; a row is an equilibrium.
+
+        Raises
+        ------
+        ValueError
+            If an expression contains an unknown symbol.
+        """
+        slopes = sp.Matrix(list(rates)).jacobian(list(states))
+        formulas = {
+            role: [self._formula("rates", value, states) for value in values]
+            for role, values in (("rates", rates), ("slopes", slopes))
+        }
+        ranges = [tuple(map(float, limits)) for limits in (x_range, y_range)]
+        grid = np.meshgrid(*(np.linspace(*limits, EQUILIBRIA_GRID + 2)[1:-1] for limits in ranges))
+        constants = {"ranges": ranges, "data": [part.ravel() for part in grid]}
+        return self._add("equilibria", formulas, constants, states)
 
     # What is shown
 

@@ -11,6 +11,8 @@ __all__ = ["Values", "evaluate"]
 
 #: A series ends where one of its values is larger.
 LARGEST = 1e6
+#: Steps of Newton's method to an equilibrium.
+NEWTON_STEPS = 14
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,9 @@ def _trajectory(step, v):
     def rates(t, x):
         return _all(step, "rates", v, [t, *x])
 
+    if not np.isfinite(rates(0, initial)).all():  # outside the domain of the rates
+        return np.array([[0, *initial]]).T
+
     def escapes(t, x):
         return LARGEST - np.abs(x).max()
 
@@ -105,6 +110,25 @@ def _roots(step, v):
     return np.array([roots.real, roots.imag])
 
 
+def _equilibria(step, v):
+    points = np.array(step.constants["data"])
+    size = np.ptp(step.constants["ranges"], axis=1)[:, None]
+
+    def values(role):
+        return [formula(v, points) for formula in step.formulas[role]]
+
+    with np.errstate(all="ignore"):
+        for _ in range(NEWTON_STEPS):
+            (f, g), (a, b, c, d) = values("rates"), values("slopes")
+            points = points - np.array([d * f - b * g, a * g - c * f]) / (a * d - b * c)
+        low, high = np.transpose(step.constants["ranges"])[..., None]
+        found = (np.hypot(*values("rates")) < 1e-9) & ((low <= points) & (points <= high)).all(
+            axis=0
+        )
+    _, first = np.unique(np.round(points / size, 4)[:, found], axis=1, return_index=True)
+    return points[:, found][:, first]
+
+
 def _all(step, role, v, c=()):
     return np.array([float(formula(v, c)) for formula in step.formulas[role]])
 
@@ -120,4 +144,5 @@ SERIES = {
     "curve": _curve,
     "table": lambda step, v: np.array(step.constants["data"]),
     "roots": _roots,
+    "equilibria": _equilibria,
 }

@@ -128,3 +128,6 @@ class _Printer(JavascriptCodePrinter):
 
     def _print_BooleanFalse(self, _):
         return "false"
+
+    def _print_NaN(self, _):
+        return "NaN"

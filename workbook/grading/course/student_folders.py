@@ -106,7 +106,7 @@ def proved_rows(problems, pool=()):
     InputError
         If there are no masters here, or none of the problems varies.
     """
-    from workbook.authoring import read
+    from workbook.authoring import read_master
     from workbook.authoring.variants import prove
 
     masters = {problem: exercises.master_path(problem) for problem in problems}
@@ -114,7 +114,7 @@ def proved_rows(problems, pool=()):
         raise InputError(
             "--numbers needs the masters: run it in a checkout of the workbook or in a course"
         )
-    varying = [p for p, path in masters.items() if path.is_file() and read(path).numbers]
+    varying = [p for p, path in masters.items() if path.is_file() and read_master(path).numbers]
     if not varying and not pool:
         raise InputError(f"none of the problems {', '.join(problems)} varies")
     rows = {

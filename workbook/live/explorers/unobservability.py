@@ -3,23 +3,23 @@
 import numpy as np
 import sympy as sp
 
-from trajlib import plotting, structure
+from trajlib import structure
+from workbook.display import Explorer
 from workbook.live.errors import LiveError
-from workbook.live.explorers.blitting import BlittedFigure
-from workbook.live.explorers.kernel_figure import KernelFigure, nearest_value, slider
+from workbook.live.explorers.built_once import built_once
 from workbook.live.worked_problem import WorkedProblem
 
-#: Range of the parameter, points of the curve, grid of the image of sigma, width of the enclosure.
-RANGE, POINTS, GRID, WITHIN = (-4.0, 4.0), 81, (90, 70), 0.05
-REACH = 3.2
+#: Range of the parameter and its step, width of the enclosure, half the side of the plane of lambda.
+RANGE, STEP, WITHIN, REACH = (-4, 4), sp.Rational(1, 10), 0.05, 3.2
 
 
+@built_once
 def distance_to_unobservable(problem="2.5", item="g"):
     """Show the distance of A, H(alpha) to unobservability: the least sigma(lambda) in the plane.
 
-    Left: sigma, the least singular value of (A - lambda I; H), darker where it is smaller, with the
+    Left: where sigma, the least singular value of (A - lambda I; H), is below a level, with the
     eigenvalues and the unobservable eigenvalue of the nearest pair. Right: the least value over
-    alpha.
+    alpha. The distances are computed beforehand, by the library.
 
     Parameters
     ----------
@@ -31,85 +31,59 @@ def distance_to_unobservable(problem="2.5", item="g"):
     LiveError
         If there is no such item.
     """
-
-    A, output, alpha = _pair(problem, item)
-    figure = BlittedFigure(2, height=4.8)
-    complex_plane, curve = figure.axes
-    real, imaginary = np.linspace(-REACH, REACH, GRID[0]), np.linspace(-REACH, REACH, GRID[1])
-    points = (real + 1j * imaginary[:, None]).ravel()
-    image = figure.animate(
-        complex_plane.imshow(
-            np.zeros(GRID[::-1]),
-            extent=(-REACH, REACH) * 2,
-            origin="lower",
-            cmap="cividis",
-            vmin=-1.5,
-            vmax=0.7,
-            interpolation="bilinear",
-            aspect="auto",
+    A, H, alpha = _pair(problem, item)
+    at, level, p, q, a, lower, upper, re, im = sp.symbols(
+        "at level p q a lower upper re im", real=True
+    )
+    values = np.arange(RANGE[0], RANGE[1] + float(STEP) / 2, float(STEP))
+    results = [
+        structure.distance_to_unobservable(
+            np.array(A, dtype=float), np.array(H.subs(alpha, value), dtype=float), within=WITHIN
         )
-    )
-    complex_plane.set(
-        xlabel=r"Re $\lambda$",
-        ylabel=r"Im $\lambda$",
-        title=r"$\log_{10}\,\sigma_{\min}(A - \lambda I;\ H)$",
-    )
-    figure.figure.colorbar(image, ax=complex_plane)
-    spectrum = np.linalg.eigvals(A)
-    eigenvalues = figure.line(complex_plane, "x", color="white", markersize=11, markeredgewidth=3)
-    eigenvalues.set_data(spectrum.real, spectrum.imag)
-    nearest = figure.line(
-        complex_plane,
-        "o",
-        markerfacecolor="none",
-        markeredgecolor=plotting.ORANGE,
-        markersize=15,
-        markeredgewidth=3,
-    )
-    values = np.linspace(*RANGE, POINTS)
-    distances = [
-        structure.distance_to_unobservable(A, output(value), within=0.2).upper for value in values
+        for value in values
     ]
-    curve.plot(values, distances, "-", color=plotting.BLUE)
-    curve.set(
-        xlim=RANGE, ylim=(0, 1.1 * max(distances)), xlabel=rf"${sp.latex(alpha)}$", title="distance"
+    figure = Explorer(
+        f"{problem} {item}: where does the region end as the level falls, and at which level?",
+        "The plane of lambda with the region in which the least singular value is below a level, "
+        "and the distance to the nearest unobservable pair over a parameter.",
     )
-    current = figure.line(curve, "o", color=plotting.ORANGE, markersize=11)
-
-    def draw(**parameter):
-        (value,) = parameter.values()
-        H = output(value)
-        result = structure.distance_to_unobservable(A, H, within=WITHIN)
-        image.set_data(np.log10(_sigma(A, H, points).reshape(GRID[::-1]) + 1e-3))
-        pair = np.array([result.eigenvalue, np.conj(result.eigenvalue)])
-        nearest.set_data(pair.real, pair.imag)
-        current.set_data([value], [result.upper])
-        eigenvalue = f"{result.eigenvalue.real:.2f}" + (
-            f" ± {abs(result.eigenvalue.imag):.2f}i" if abs(result.eigenvalue.imag) > 1e-6 else ""
-        )
-        return (
-            f"the distance is between {result.lower:.3g} and {result.upper:.3g}, proved; the nearest "
-            f"unobservable pair has the unobservable eigenvalue {eigenvalue}"
-        )
-
-    def on_stroke(axes, points):
-        if axes is curve:
-            (control,) = controls.values()
-            control.value = nearest_value(control, points[-1, 0])
-
-    controls = {alpha.name: slider(alpha.name, *RANGE, 1.0)}
-    title = (
-        f"problem {problem}, item {item}: crosses are eigenvalues, the circle is the unobservable "
-        "one of the nearest pair"
+    figure.parameter(alpha, 1, RANGE, step=float(STEP))
+    figure.parameter(level, 0.8, (0.01, 2), "level of σ")
+    figure.quantity(at, STEP * sp.floor(alpha / STEP + sp.Rational(1, 2)))
+    table = figure.table(
+        {
+            a: values,
+            lower: [result.lower for result in results],
+            upper: [result.upper for result in results],
+            re: [result.eigenvalue.real for result in results],
+            im: [abs(result.eigenvalue.imag) for result in results],
+        }
     )
-    return KernelFigure(figure, controls, draw, on_stroke, title=title)
-
-
-def _sigma(A, H, points):
-    """Return the least singular value at many points, to the accuracy of a picture."""
-    pencils = A - points[:, None, None] * np.eye(len(A))
-    squares = pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H
-    return np.sqrt(np.maximum(np.linalg.eigvalsh(squares)[:, 0], 0))
+    here = sp.Abs(a - at) < STEP / 2
+    for symbol, column in zip(sp.symbols("least most real imaginary"), (lower, upper, re, im)):
+        table.largest(symbol, sp.Piecewise((column, here), (-1000, True)))
+    eigenvalues = figure.roots(A.charpoly().as_expr(), A.charpoly().gen)
+    plane = figure.panel("p", "q", (-REACH, REACH), (-REACH, REACH))
+    plane.names = ("Re λ", "Im λ")
+    output = H.subs(alpha, at)
+    # sigma < level where pencil* pencil + H* H - level^2 I is not positive definite
+    pencil = A - (p + sp.I * q) * sp.eye(A.rows)
+    form = pencil.H * pencil + output.T * output - level**2 * sp.eye(A.rows)
+    minors = [form[:k, :k].det(method="berkowitz").expand() for k in range(1, A.rows + 1)]
+    plane.region(sp.Or(*(minor < 0 for minor in minors)), "σ below the level")
+    plane.marks(eigenvalues, *eigenvalues.columns, "cross", "eigenvalues")
+    for sign, label in ((1, "nearest pair"), (-1, "")):
+        plane.marks(table, sp.Piecewise((re, here), (sp.nan, True)), sign * im, "ring", label)
+    curve = figure.panel(alpha, "distance", RANGE, (0, 1.1 * max(r.upper for r in results)))
+    curve.line(table, a, upper)
+    curve.marks(table, sp.Piecewise((a, here), (sp.nan, True)), upper, "ring")
+    said = (
+        "The distance is between {least} and {most}, proved; the nearest unobservable pair has the "
+        "unobservable eigenvalue "
+    )
+    imaginary = sp.Symbol("imaginary")
+    figure.sentence((imaginary < 1e-6, said + "{real}."), (True, said + "{real} ± {imaginary}i."))
+    return figure
 
 
 def _pair(problem, item):
@@ -125,9 +99,4 @@ def _pair(problem, item):
             f"problem {problem} has no item {item} with numbers A_{item} and one parameter in "
             f"H_{item}; 2.5 has g, h, i, j"
         )
-    function = sp.lambdify(parameters, H, "numpy")
-    return (
-        np.array(A, dtype=float),
-        lambda value: np.array(function(value), dtype=float),
-        parameters[0],
-    )
+    return A, H, parameters[0]

@@ -2,7 +2,7 @@
    sentences, whose formulas are JavaScript expressions in v, the scalars, and c, the columns of a row. A change recomputes and
    redraws, at once, what depends on it. Nothing moves unless the reader moves it. */
 (() => {
-  const LARGEST = 1e6;
+  const LARGEST = 1e6, NEWTON_STEPS = 14;
 
   const compile = (code) => new Function("v", "c", `"use strict"; return ${code};`);
 
@@ -76,7 +76,23 @@
     return z;
   }
 
-  const SERIES = {trajectory, recursion, curve, roots: ({coefficients}, v) => roots(coefficients(v)),
+  /* Equilibria in a window, by Newton's method from given points. */
+  function equilibria({rates, slopes, ranges, data}, v) {
+    const found = new Map();
+    data[0].forEach((_, k) => {
+      let z = data.map((column) => column[k]);
+      for (let n = 0; n < NEWTON_STEPS; n += 1) {
+        const [f, g] = rates(v, z), [a, b, c, d] = slopes(v, z), det = a * d - b * c;
+        z = [z[0] - (d * f - b * g) / det, z[1] - (a * g - c * f) / det];
+      }
+      const key = z.map((value, i) => Math.round(1e4 * value / (ranges[i][1] - ranges[i][0]))).join();
+      const inside = z.every((value, i) => ranges[i][0] <= value && value <= ranges[i][1]);
+      if (inside && Math.hypot(...rates(v, z)) < 1e-9 && !found.has(key)) found.set(key, z);
+    });
+    return [...found.values()];
+  }
+
+  const SERIES = {trajectory, recursion, curve, equilibria, roots: ({coefficients}, v) => roots(coefficients(v)),
                   table: ({data}) => data[0].map((_, n) => data.map((column) => column[n]))};
   const SCALARS = {quantity: ({value}, v) => value(v)[0],
                    last: ({value, series}, v, rows) => value(v, rows[series].at(-1))[0],
@@ -300,7 +316,7 @@
 
   /* Figure ------------------------------------------------------------------------------------------------------------ */
 
-  const ROLES = ["value", "rates", "initial", "end", "updates", "low", "high", "coefficients", "x", "y", "condition"];
+  const ROLES = ["value", "rates", "slopes", "initial", "end", "updates", "low", "high", "coefficients", "x", "y", "condition"];
   const compiled = (entry) => ({...entry, ...Object.fromEntries(ROLES.flatMap((role) => typeof entry[role] === "string" ? [[role, compile(entry[role])]] : []))});
 
   class Figure {
