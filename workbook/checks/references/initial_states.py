@@ -30,13 +30,7 @@ def initial_states_of(A, H, L, parameters=(), selected=None):
 
     `selected` are the indices of the unknowns whose observability is asked for, by default all.
     """
-    return _cached_initial_states(
-        sp.ImmutableMatrix(A),
-        sp.ImmutableMatrix(H),
-        sp.ImmutableMatrix(L),
-        tuple(parameters),
-        selected,
-    )
+    return _initial_states(*map(sp.ImmutableMatrix, (A, H, L)), tuple(parameters), selected)
 
 
 def initial_states_of_varying(A, H, time, parameters=()):
@@ -51,11 +45,6 @@ def initial_states_of_varying(A, H, time, parameters=()):
     return initial_states_of(
         matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters
     )
-
-
-@functools.lru_cache(maxsize=64)
-def _cached_initial_states(A, H, L, parameters, selected):
-    return InitialStates(A, H, L, parameters, selected)
 
 
 class InitialStates(Pair):
@@ -133,6 +122,9 @@ class InitialStates(Pair):
             (self.order, self.unknowns),
             rows.domain,
         )
+
+
+_initial_states = functools.lru_cache(maxsize=64)(InitialStates)
 
 
 def _fraction(entry):

@@ -7,7 +7,6 @@ symplectic pencils (SciPy).
 """
 
 import functools
-import itertools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +18,7 @@ from workbook.checks.references.fixed_modes import (
     fixed_eigenvalues,
     unobservable_eigenvalues_at,
 )
+from workbook.checks.references.invariant_subspaces import rank_falls
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
@@ -243,41 +243,24 @@ def steady_exists(process):
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
-    unobservable, uncontrollable = (
-        _dependent(u + sp.I * w, matrix, lower_block)
-        for matrix, lower_block in ((process.A, process.H), (process.A.T, process.Q))
-    )
+    pairs = (process.A, process.H), (process.A.T, process.Q)
+    unobservable, uncontrollable = (rank_falls(u + sp.I * w, *pair) for pair in pairs)
     none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
-        pairs = ((process.A, process.H), (process.A.T, process.Q))
+
         if all(value.is_Rational for value in values.values()):
-            unobservable, uncontrollable = (
+            fixed = [
                 np.concatenate(fixed_eigenvalues(pair_of(*(part.subs(values) for part in pair))))
                 for pair in pairs
-            )
+            ]
         elif all(value.is_algebraic for value in values.values()):
-            unobservable, uncontrollable = (
-                unobservable_eigenvalues_at(*pair, values) for pair in pairs
-            )
+            fixed = [unobservable_eigenvalues_at(*pair, values) for pair in pairs]
         else:
             return None
-        rates = [
-            abs(values) - 1 if process.discrete else values.real
-            for values in (unobservable, uncontrollable)
-        ]
+        rates = [abs(roots) - 1 if process.discrete else roots.real for roots in fixed]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
     return ReferenceCondition(
         (Case(sp.Not(none_exists), (u, w), every=True),), (Case(none_exists, (u, w)),), at
     )
-
-
-def _dependent(s, A, lower_block):
-    """Return the condition that the columns of s - A above a matrix are dependent."""
-    pencil = (s * sp.eye(A.rows) - A).col_join(lower_block)
-    minors = (
-        pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
-        for rows in itertools.combinations(range(pencil.rows), A.rows)
-    )
-    return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))

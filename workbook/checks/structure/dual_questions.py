@@ -15,11 +15,7 @@ from sympy.core.relational import Relational
 from workbook.checks.contract.claims import Values
 from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.references.invariant_subspaces import (
-    characteristic_coefficients,
-    different_roots,
-    restricted,
-)
+from workbook.checks.references.fixed_modes import fixed_eigenvalues
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.values import numbers_at, uncertainty_at
@@ -104,7 +100,6 @@ def judge_yes_no(claim, pair, side):
     if not pair.parameters:
         (unobservable,) = pair.unobservable
         return (yield SameWord(claim, not unobservable, existence_text(len(unobservable), side)))
-    holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
             sp.true,
@@ -115,14 +110,10 @@ def judge_yes_no(claim, pair, side):
             ),
         )
     except Wrong as error:
-        dimension = min(map(len, pair.unobservable))
-        holds, reason = (
-            False,
-            f"{existence_text(dimension, side)}, whatever the parameters"
-            if dimension
-            else str(error),
-        )
-    return (yield SameWord(claim, holds, reason))
+        always = all(pair.unobservable)
+        reason = f"{existence_text(1, side)}, whatever the parameters" if always else str(error)
+        return (yield SameWord(claim, False, reason))
+    return (yield SameWord(claim, True, f"{side.none_free}, for any values of the parameters"))
 
 
 def judge_region(answer, pair, side, holds=True):
@@ -201,15 +192,9 @@ def judge_kalman(claim, pair, side):
 
 def judge_eigenvalues(claims, pair, side):
     """Judge the different eigenvalues of the PBH test: those of A on the unobservable states."""
-    fixed = [
-        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
-        if unobservable
-        else np.array([])
-        for _, point, unobservable in pair.samples_for(claims)
-    ]
     spectra = [
         (values, roots, np.linalg.eigvals(A))
-        for roots, (values, A, _, _) in zip(fixed, pair.systems_for(claims))
+        for roots, (values, A, *_) in zip(fixed_eigenvalues(pair, claims), pair.systems_for(claims))
     ]
     return compare_eigenvalues(claims, spectra, side)
 

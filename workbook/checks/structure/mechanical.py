@@ -11,7 +11,6 @@ for a singular M too. All other questions about these systems are judged in the 
 
 import dataclasses
 import functools
-import itertools
 
 import numpy as np
 import sympy as sp
@@ -20,6 +19,7 @@ from workbook.checks.contract.verdict import UnsuitableData, judged
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
+    maximal_minors,
 )
 from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import (
@@ -118,10 +118,7 @@ def _cached_spectra(system):
 def _polynomials(system):
     """Return the polynomials that vanish where the rank falls, and where the square matrix's does."""
     rows = _pencil(system).col_join((system.H1 + LAMBDA * system.H2).applyfunc(_exact))
-    minors = [
-        sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)
-        for chosen in itertools.combinations(range(rows.rows), rows.cols)
-    ]
+    minors = [sp.Poly(minor, LAMBDA) for minor in maximal_minors(rows)]
     if minors[0].is_zero:
         raise UnsuitableData(
             "det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a "
