@@ -75,6 +75,11 @@ def judge_everywhere(matrix, parameters, domain, undefined, dependent=None):
             )
 
 
+def judge_where_generic(matrix, pair, undefined, dependent=None):
+    """Raise `Wrong` if a matrix fails where no more states of a `Pair` are unobservable than in general."""
+    judge_everywhere(matrix, pair.parameters, lambda: pair.generic_condition, undefined, dependent)
+
+
 def judge_factors(expressions, variables, domain, failure):
     """Raise `Wrong` if nonzero expressions share a factor of other symbols that vanishes.
 
