@@ -24,21 +24,18 @@ from workbook.checks.tools.wording import number_text, values_text, where_text, 
 
 def _output_shows(k, order, number, value):
     """Return a text on the first nonzero derivative of an output; `number` is "" for a single one."""
-    name = (
-        f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
-    )
+    z = f"z{number}"
+    name = z + "'" * order if order < 4 else f"the derivative of {z} of order {order}"
     return f"the motion from your vector {k} gives {name} = {value} at t = 0, not 0"
 
 
 def _control_changes(k, order, number, value):
     """Return a text on the first derivative of a combination w x that the control enters."""
     power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
-    derivative_text = (
-        "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
-    )
+    derivative = "first derivative" if order == 0 else f"derivative of order {order + 1}"
     return (
-        f"the control u{number} changes your combination {k}: it enters {derivative_text} of w x with the "
-        f"coefficient w {power}b{number} = {value}, not 0"
+        f"the control u{number} changes your combination {k}: it enters the {derivative} of w x "
+        f"with the coefficient w {power}b{number} = {value}, not 0"
     )
 
 
@@ -161,19 +158,10 @@ def judge_kalman(claim, pair, side):
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
         def message(claimed, k, j):
-            if (
-                claimed.shape == true.T.shape
-                and agree(
-                    claimed.T,
-                    true,
-                    claim.T,
-                    sizes,
-                    uncertain=[
-                        [uncertainty_at(e, values) for e in column] for column in claim.T.tolist()
-                    ],
-                ).all()
-            ):
-                return f"this is the transpose of {side.matrix}"
+            if claimed.shape == true.T.shape:
+                uncertain = [[uncertainty_at(e, values) for e in row] for row in claim.T.tolist()]
+                if agree(claimed.T, true, claim.T, sizes, uncertain=uncertain).all():
+                    return f"this is the transpose of {side.matrix}"
             requirement = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
                 if k >= m
@@ -248,14 +236,9 @@ def roots_evidence(claims, symbol, polynomial):
     """
     if in_decimals(*claims):
         return "to three digits, for sample values"
-    residuals = [
-        sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims
-    ]
-    return (
-        "proved"
-        if all(sp.expand(part) == 0 for part in residuals)
-        else "to the digits computed, for sample values"
-    )
+    residuals = (sp.together(polynomial.as_expr().subs(symbol, claim)) for claim in claims)
+    proved = all(sp.expand(sp.numer(part)) == 0 for part in residuals)
+    return "proved" if proved else "to the digits computed, for sample values"
 
 
 def existence_text(count, side):

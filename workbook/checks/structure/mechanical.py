@@ -74,12 +74,9 @@ def mechanical_eigenvalues(claim, system, parameters=()):
     'wrong'
     """
     pair = observed_pair(system, parameters)
-    samples = pair.samples_for(claim)
-    roots = [
-        different_roots(characteristic_coefficients(pair.at(point)[0])) for _, point, _ in samples
-    ]
     spectra = [
-        (values, eigenvalues, eigenvalues) for (values, *_), eigenvalues in zip(samples, roots)
+        (values, *[different_roots(characteristic_coefficients(pair.at(point)[0]))] * 2)
+        for values, point, _ in pair.samples_for(claim)
     ]
     yield from compare_eigenvalues(claim, spectra, ROOTS_PENCIL)
     evidence = roots_evidence(claim, LAMBDA, _pencil(system).det())
@@ -136,8 +133,5 @@ def _exact(x):
 
 
 def _roots(poly):
-    return (
-        np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)])
-        if poly.degree() > 0
-        else np.array([])
-    )
+    roots = poly.sqf_part().nroots(n=20, maxsteps=200) if poly.degree() > 0 else []
+    return np.array(roots, dtype=complex)
