@@ -30,10 +30,8 @@ class GainsAtPoints(Claim):
     """A list of pairs [point, K]; an empty list for K is read as None."""
 
     def read(self, answer, data):
-        point_claim, gain_claim = (
-            Expressions(length="state"),
-            Gain(shape=lambda d: (len(d["controls"]), len(d["state"]))),
-        )
+        point_claim = Expressions(length="state")
+        gain_claim = Gain(shape=(len(data["controls"]), len(data["state"])))
         if not (
             isinstance(answer, (list, tuple))
             and answer
@@ -108,18 +106,14 @@ def _judge_gain(flow, state, equilibrium, gain):
         raise Wrong(f"the gain for {point_text(equilibrium)} is not real")
     A, B = _linearisation(flow, state, equilibrium)
     eigenvalues = np.linalg.eigvals(A + B @ gain.real)
-    stable, reason = (
-        max(eigenvalues.real) < -ON_BORDER,
+    largest, reason = (
+        max(eigenvalues.real),
         f"the loop has the eigenvalues {roots_text(eigenvalues)}",
     )
-    if (
-        not stable
-        and abs(max(eigenvalues.real)) <= ON_BORDER
-        and abs(_slowest_fixed(A, B)) <= ON_BORDER
-    ):
-        verdict, reason = _stability_from_motions(
-            flow, tuple(state), tuple(equilibrium), tuple(map(tuple, gain.real))
-        )
+    stable = largest < -ON_BORDER
+    if abs(largest) <= ON_BORDER and abs(_slowest_fixed(A, B)) <= ON_BORDER:
+        rows = tuple(map(tuple, gain.real))
+        verdict, reason = _stability_from_motions(flow, tuple(state), tuple(equilibrium), rows)
         stable = verdict == "asymptotically stable"
     if not stable:
         raise Wrong(
@@ -129,23 +123,18 @@ def _judge_gain(flow, state, equilibrium, gain):
 
 def _judge_no_gain(flow, state, equilibrium):
     A, B = _linearisation(flow, state, equilibrium)
+    failure = f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: "
     slowest = _slowest_fixed(A, B)
     if slowest > ON_BORDER:
         return
     if slowest < -ON_BORDER:
-        raise Wrong(
-            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: every "
-            "mode that no gain changes decays"
-        )
+        raise Wrong(failure + "every mode that no gain changes decays")
     verdicts = {
         _stability_from_motions(flow, tuple(state), tuple(equilibrium), gain)[0]
         for gain in _sample_gains(A, B)
     }
     if "asymptotically stable" in verdicts:
-        raise Wrong(
-            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: motions "
-            "that start close to it come back"
-        )
+        raise Wrong(failure + "motions that start close to it come back")
 
 
 def _linearisation(flow, state, equilibrium):

@@ -66,15 +66,16 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
         )
     for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
         if np.isfinite(regulator.duration) or regulator.anywhere:
-            true, message = regulator.gain_for(regulator.least(instant)), _control_message
+            true = regulator.gain_for(regulator.least(instant))
         else:
-            true, message = _improved_gain(claim, regulator, values)
-        yield SameEntries(claim, true, message(values), values, abs(true).max())
+            true = _improved_gain(claim, regulator, values)
+        message = _gain_message(regulator, where_text(values))
+        yield SameEntries(claim, true, message, values, abs(true).max())
     return "every state is led at the least cost"
 
 
 def _improved_gain(claim, regulator, values):
-    """Return the best gain at present if the claimed one is used later, and a message builder."""
+    """Return the best gain at present if the claimed one is used later."""
     claimed = matrix_at(claim, values)
     if claimed.imag.any():
         raise Wrong(f"your gain is not real{where_text(values)}")
@@ -88,22 +89,21 @@ def _improved_gain(claim, regulator, values):
             f"eigenvalue {number_text(roots[np.argmax(roots.real)])}"
         ) from None
 
-    def message(values):
-        # Without the cost: close to the best gain it would show the least cost.
-        return lambda *_: (
-            f"under your law every state comes to zero{where_text(values)}, but there is a gain with "
-            "which it costs less from some state, and more from none"
-        )
-
-    return regulator.gain_for(cost), message
+    return regulator.gain_for(cost)
 
 
-def _control_message(values):
+def _gain_message(regulator, where):
     def message(claimed, i, j):
+        if np.isfinite(regulator.duration) or regulator.anywhere:
+            return (
+                f"with your gain the cost from some states is greater than the least one{where}: "
+                f"look at the entry ({i + 1}, {j + 1}) of K, where yours is "
+                f"{number_text(claimed[i, j])}"
+            )
+        # Without the cost: close to the best gain it would show the least cost.
         return (
-            "with your gain the cost from some states is greater than the least "
-            f"one{where_text(values)}: look at the "
-            f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(claimed[i, j])}"
+            f"under your law every state comes to zero{where}, but there is a gain with which it "
+            "costs less from some state, and more from none"
         )
 
     return message
@@ -141,7 +141,8 @@ def _cost_message(regulator, values):
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{point}, and that of a cost is"
-        rate, size = sum(regulator.rates(S)), sum(map(abs, regulator.rates(S))).max()
+        rates = regulator.rates(S)
+        rate, size = sum(rates), sum(map(abs, rates)).max()
         if not abs(rate).max() <= ROUNDED * size:
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
             return (
@@ -212,8 +213,7 @@ def optimal_eigenvalues(values, problem):
     >>> checks.optimal_eigenvalues([-2], problem).status, checks.optimal_eigenvalues([2], problem).status
     ('right', 'wrong')
     """
-    regulator = regulators.Regulator(problem, values)
-    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    loop = regulators.Regulator(problem, values).loop()
     return Truth(np.linalg.eigvals(loop), np.linalg.norm(loop))
 
 
@@ -246,8 +246,7 @@ def optimal_limit_state(values, problem, start):
     """
     from scipy.linalg import null_space
 
-    regulator = regulators.Regulator(problem, values)
-    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    loop = regulators.Regulator(problem, values).loop()
     # The limit lies in the right kernel of the loop; the left kernel gives the invariants.
     right_kernel, left_kernel = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
     initial = np.array([[float(values[s])] for s in start])
@@ -283,25 +282,16 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     for values in in_every_case(samples, claim):
         regulator, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = regulator.rates(S)
-        yield SameEntries(
-            claim,
-            sum(terms),
-            lambda claimed, i, j: (
-                f"your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; it "
-                "is not that of the Riccati equation of the cost: "
-                + wrong_degree_text(
-                    claim,
-                    values,
-                    sorted(cost.free_symbols, key=str),
-                    terms[2],
-                    terms[0] + terms[1],
-                    sum(map(abs, terms)),
-                    "S",
-                )
-            ),
-            values,
-            sum(map(abs, terms)),
-        )
+        size = sum(map(abs, terms))
+
+        def message(claimed, i, j):
+            return (
+                f"your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; "
+                "it is not that of the Riccati equation of the cost: "
+                + wrong_degree_text(claim, values, cost, terms, size, "S")
+            )
+
+        yield SameEntries(claim, sum(terms), message, values, size)
     return "the remaining cost changes at this rate along the best motion"
 
 

@@ -131,6 +131,11 @@ def rank_falls(s, A, H):
     return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))
 
 
+def orthogonal_complement(rows):
+    """Return an orthonormal basis, in rows, of the orthogonal complement of independent rows."""
+    return np.linalg.svd(rows)[2][len(rows) :] if len(rows) else np.eye(rows.shape[1])
+
+
 def to_floats(rows, columns):
     """Return rows of fractions as an array of floats, also if there are none."""
     return np.array([[float(entry) for entry in row] for row in rows]).reshape(len(rows), columns)

@@ -16,7 +16,7 @@ from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere, judge_where_generic
-from workbook.checks.references.invariant_subspaces import chain
+from workbook.checks.references.invariant_subspaces import chain, orthogonal_complement
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.records import (
     controlled_pair,
@@ -305,9 +305,7 @@ def _judge_parameters(matrix, output, pair, side):
 
 def _observable_block(A, unobservable):
     """Return A on the orthogonal complement of the unobservable states, in an orthonormal basis."""
-    complement = (
-        np.linalg.svd(unobservable)[2][len(unobservable) :] if len(unobservable) else np.eye(len(A))
-    )
+    complement = orthogonal_complement(unobservable)
     return complement @ A @ complement.T
 
 
