@@ -257,14 +257,15 @@ def steady_filter_exists(answer, process, parameters):
     """
 
     def message(values, holds):
-        return (
-            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
-            + (
-                "there a filter settles, and its errors decay"
-                if holds
-                else "there look at a mode that does not decay and is not measured, "
-                "or at one that neither decays nor grows and that the noise does not reach"
+        if holds:
+            return (
+                f"your condition does not hold for {values_text(values)}; there a filter settles, "
+                "and its errors decay"
             )
+        return (
+            f"your condition holds for {values_text(values)}; there look at a mode that does not "
+            "decay and is not measured, or at one that neither decays nor grows and that the noise "
+            "does not reach"
         )
 
     agreement = compare(answer, parameters, processes.steady_exists(process), message)

@@ -7,6 +7,7 @@ symplectic pencils (SciPy).
 """
 
 import functools
+import itertools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -47,13 +48,9 @@ def at_values(process, values, start=True):
 @functools.lru_cache(maxsize=256)
 def _arrays(process, values, start):
     """Return the arrays of a process at values; every claim about it is tried at the same ones."""
-    values = dict(values)
-    start = (
-        (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
-    )
-    return [
-        to_array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
-    ]
+    moments = [part if start else 0 * part for part in (process.mean, process.covariance)]
+    matrices = process.A, process.Q, process.H, process.R, *moments
+    return [to_array(matrix, dict(values)) for matrix in matrices]
 
 
 @functools.lru_cache(maxsize=32)
@@ -66,12 +63,12 @@ def as_process(process):
     with the variance D; w is appended to x. The initial errors of a filter are those of the mean.
     """
     if isinstance(process, FilterErrors):
-        process_below, gain = as_process(process.process), process.gain
+        measured, gain = as_process(process.process), process.gain
         return Process(
-            process_below.A - gain * process_below.H,
-            process_below.Q + gain * process_below.R * gain.T,
-            covariance=process_below.covariance,
-            discrete=process_below.discrete,
+            measured.A - gain * measured.H,
+            measured.Q + gain * measured.R * gain.T,
+            covariance=measured.covariance,
+            discrete=measured.discrete,
         )
     if not isinstance(process, Coloured):
         return process
@@ -138,15 +135,13 @@ def moments(process, time):
 
 def joint_moments(process, times):
     """Return mean and covariance of the states at several times, stacked."""
-    n, moments_at = len(process.A), [moments(process, time) for time in times]
-    covariance = np.zeros((n * len(times), n * len(times)))
-    for i, start in enumerate(times):
-        for k, end in enumerate(times):
-            if start <= end:
-                block = transition(process, end - start)[0] @ moments_at[i][1]
-                covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
-                covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
-    return np.vstack([mean for mean, _ in moments_at]), covariance
+    means, covariances = zip(*(moments(process, time) for time in times))
+    blocks = [[None] * len(times) for _ in times]
+    for (i, start), (k, end) in itertools.product(enumerate(times), repeat=2):
+        if start <= end:
+            blocks[k][i] = transition(process, end - start)[0] @ covariances[i]
+            blocks[i][k] = blocks[k][i].T
+    return np.vstack(means), np.block(blocks)
 
 
 def conditional_moments(process, measured, at):
@@ -168,11 +163,9 @@ def stationary_covariance(process):
     """Return the covariance that x tends to from any initial covariance."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
-    return (
-        solve_discrete_lyapunov(process.A, process.Q)
-        if process.discrete
-        else solve_continuous_lyapunov(process.A, -process.Q)
-    )
+    if process.discrete:
+        return solve_discrete_lyapunov(process.A, process.Q)
+    return solve_continuous_lyapunov(process.A, -process.Q)
 
 
 def steady_covariances(process):
@@ -188,11 +181,9 @@ def steady_covariances(process):
     for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
         gain = filter_gain(process, covariance)
         covariance = error_covariance(process, (process.A @ gain if process.discrete else gain))
-    return (
-        (covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance)
-        if process.discrete
-        else (covariance, covariance)
-    )
+    if not process.discrete:
+        return covariance, covariance
+    return covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance
 
 
 def filter_gain(process, covariance):
