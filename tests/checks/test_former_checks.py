@@ -10,6 +10,7 @@ from workbook import checks
 from workbook.checks.contract.former_checks import FORMER
 
 x, v, p = sp.symbols("x v p", real=True)
+s = sp.Symbol("s")
 n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
 PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
 WELL = [v, -x - k * v], [x, v], [k]
@@ -21,11 +22,14 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
 @pytest.mark.parametrize(
     ("name", "right", "wrong", "data"),
     [
+        ("delay_margin", sp.pi / 2, 1, (1 / s,)),
+        ("disk_margin", 1, 2, (1 / s,)),
         ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),
         ("equilibrium_angles_exist", True, k > 1, PENDULUM),
         ("focus_region", k < 2, k < 3, WELL),
         ("linearisation_matrices", [HANGING, STANDING], [HANGING], (*PENDULUM, k < 2, n)),
         ("node_region", k > 2, k > 3, WELL),
+        ("phase_margin", sp.pi / 2, 1, (1 / s,)),
         ("saddle_angle_condition", sp.cos(p) < 0, sp.cos(p) > 0, (*PENDULUM, p)),
         ("stable_angle_condition", sp.cos(p) > 0, sp.cos(p) < 0, (*PENDULUM, p)),
         ("stable_equilibria", [(0, 0)], [], ([v, -x - v], [x, v])),
