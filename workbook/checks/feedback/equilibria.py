@@ -10,7 +10,7 @@ import functools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Claim, Expressions
+from workbook.checks.contract.claims import Claim, Expressions, Parts
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references.equilibria import equilibria_of
@@ -30,18 +30,12 @@ class GainsAtPoints(Claim):
     """A list of pairs [point, K]; an empty list for K is read as None."""
 
     def read(self, answer, data):
-        point_claim = Expressions(length="state")
-        gain_claim = Gain(shape=(len(data["controls"]), len(data["state"])))
-        if not (
-            isinstance(answer, (list, tuple))
-            and answer
-            and all(isinstance(pair, (list, tuple)) and len(pair) == 2 for pair in answer)
-        ):
-            raise Invalid("expected a list of pairs [point, K], with [] for K where there is none")
-        return [
-            (point_claim.read(coordinates, data), gain_claim.read(K, data))
-            for coordinates, K in answer
-        ]
+        expected = "a list of pairs [point, K], with [] for K where there is none"
+        if not (isinstance(answer, (list, tuple)) and answer):
+            raise Invalid(f"expected {expected}")
+        gain = Gain(shape=(len(data["controls"]), len(data["state"])))
+        pair = Parts(Expressions(length="state"), gain, expected=expected)
+        return [pair.read(part, data) for part in answer]
 
 
 @judged(GainsAtPoints())

@@ -227,10 +227,6 @@ def _observer_shape(data):
     return extended.A.rows, extended.H.rows
 
 
-def _state_feedback_shape(data):
-    return data["system"].B.cols, data["system"].A.rows
-
-
 def _feedback_shape(data):
     return data["system"].B.cols, data["system"].H.rows or data["system"].A.rows
 
@@ -334,7 +330,7 @@ def _judge_none_static(system, requirement):
 
 
 @judged(
-    Gains("parameters", shapes=lambda data: [_state_feedback_shape(data), _observer_shape(data)]),
+    Gains("parameters", shapes=lambda data: [data["system"].B.T.shape, _observer_shape(data)]),
     system="Linear or WithError with controls and outputs",
 )
 def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=0):

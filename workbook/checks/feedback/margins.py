@@ -5,9 +5,9 @@ A degree of stability mu is that of Definition 1.5, Re lambda <= -mu for all eig
 
 import sympy as sp
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Expression, Expressions, Table
 from workbook.checks.contract.tolerance import EXACT
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import loop_of
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import (
@@ -119,8 +119,15 @@ def compare_margins(answer, symbols, reference, device):
     return f"these are the degrees of stability that some {device} has: {agreement}"
 
 
-@judged(system="Linear with outputs")
-def undetectable_mode(answer, system, parameters=()):
+@judged(
+    Table(
+        Expression("parameters"),
+        Expressions("parameters", length="system.A"),
+        "a dictionary {lambda: v}, an empty one if nothing stands in the way",
+    ),
+    system="Linear with outputs",
+)
+def undetectable_mode(claim, system, parameters=()):
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none.
 
     It satisfies A v = lambda v, H v = 0, Re lambda >= 0.
@@ -138,18 +145,8 @@ def undetectable_mode(answer, system, parameters=()):
     >>> checks.undetectable_mode({}, pair).status
     'wrong'
     """
-    if not isinstance(answer, dict):
-        raise Invalid(
-            "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
-        )
     A, H, pair = system.A, system.H, observed_pair(system, parameters)
-    claims = {
-        coercion.as_expression(value, parameters): sp.Matrix(
-            coercion.as_expressions(vector, parameters, A.rows)
-        )
-        for value, vector in answer.items()
-    }
-    if not claims:
+    if not claim:
         if slower_than(0, pair):
             raise Wrong("there is a mode that does not decay and that no gain changes")
         return "every mode that no gain changes decays"
@@ -161,7 +158,7 @@ def undetectable_mode(answer, system, parameters=()):
         and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo)
     ):
         points.append(zero)
-    for value, vector in claims.items():
+    for value, vector in ((value, sp.Matrix(entries)) for value, entries in claim):
         for values in in_every_case(points, [value, vector]):
             _judge_mode(value, vector, A, H, values, where_text(values))
         undefined, zero_vector = "your vector v is undefined", "your vector v is zero"

@@ -100,6 +100,9 @@ def closed_loop_equations(claims, field, state, controls, desired, H, K, L, esti
 
     The field is linear; `desired` prescribes some of the state as functions of time, and the rest
     of the state and the controls are constant.
+
+    Can decide when the `desired` motion determines these constants; the equations are compared at
+    sample values of all symbols.
     """
     e = sp.Matrix(estimates)
     prescribed = {s: sp.sympify(function) for s, function in desired.items()}

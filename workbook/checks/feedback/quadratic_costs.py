@@ -28,15 +28,7 @@ ROUNDED = 1e-9
 PARTS = (0, 0.2, 0.5, 0.8, 0.95, 1)
 
 
-def _gain_shape(data):
-    return data["problem"].B.cols, data["problem"].A.rows
-
-
-def _square(data):
-    return data["problem"].A.shape
-
-
-@judged(Gain("time", "parameters", shape=_gain_shape))
+@judged(Gain("time", "parameters", shape=lambda data: data["problem"].B.T.shape))
 def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
     """Check the gain K of the law u = Kx of least cost.
 
@@ -109,7 +101,7 @@ def _gain_message(regulator, where):
     return message
 
 
-@judged(Matrix("time", "parameters", shape=_square))
+@judged(Matrix("time", "parameters", shape="problem.A"))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """Check the matrix S of the least cost from x, factor x^T S x.
 
@@ -254,7 +246,7 @@ def optimal_limit_state(values, problem, start):
     return Truth(limit, abs(initial).max())
 
 
-@judged(Matrix("cost", "parameters", shape=_square))
+@judged(Matrix("cost", "parameters", shape="problem.A"))
 def cost_riccati_equation(claim, problem, cost, parameters=()):
     """Check the right-hand side of the Riccati equation S' = ... of the cost.
 
@@ -353,6 +345,9 @@ def controller_equations(values, problem, process, estimates, outputs):
 
     They are a column in the symbols of the estimates e and of the outputs z, the control u = Ke
     inserted.
+
+    Can decide when the steady filter and the law of least cost exist, at sample values of the
+    estimates, the outputs and the parameters.
     """
     regulator = regulators.Regulator(problem, values)
     model = processes.at_values(process, values, start=False)

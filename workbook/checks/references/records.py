@@ -77,11 +77,9 @@ def augmented(system):
 
 def matrix_of(system, parameters=()):
     """Return the matrix of the equations."""
-    return (
-        row_of(system, *system.field, parameters=parameters)
-        if isinstance(system, Deviations)
-        else system.A
-    )
+    if not isinstance(system, Deviations):
+        return system.A
+    return row_of(system, *system.field, parameters=parameters)
 
 
 def row_of(system, *quantities, parameters=()):
@@ -94,12 +92,8 @@ def row_of(system, *quantities, parameters=()):
         if not all(isinstance(row, sp.MatrixBase) for row in quantities):
             raise UnsuitableData("quantities: expected rows of numbers for this system")
         return sp.Matrix.vstack(*quantities)
-    rows = (
-        sp.Matrix(quantities)
-        .jacobian(list(system.state))
-        .subs(system.motion)
-        .applyfunc(sp.simplify)
-    )
+    slopes = sp.Matrix(quantities).jacobian(list(system.state))
+    rows = slopes.subs(system.motion).applyfunc(sp.simplify)
     if not rows.free_symbols <= set(parameters):
         raise UnsuitableData("the deviation equations are not constant")
     return rows
@@ -124,11 +118,6 @@ def _in_states(system):
         n, inverse = system.M.rows, system.M.inv(method="ADJ")
     except NonInvertibleMatrixError:
         raise UnsuitableData("system: expected an M that has an inverse") from None
-    A = (
-        sp.zeros(n)
-        .row_join(sp.eye(n))
-        .col_join((-inverse * system.K).row_join(-inverse * system.D))
-    )
-    return Linear(
-        A, sp.zeros(n, system.L.cols).col_join(inverse * system.L), system.H1.row_join(system.H2)
-    )
+    A = sp.Matrix([[sp.zeros(n), sp.eye(n)], [-inverse * system.K, -inverse * system.D]])
+    B = sp.zeros(n, system.L.cols).col_join(inverse * system.L)
+    return Linear(A, B, system.H1.row_join(system.H2))

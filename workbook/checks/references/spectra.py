@@ -149,13 +149,14 @@ class Spectrum:
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
         return ReferenceCondition(
-            (Case(stable),), (self.some_root_right if self.degree else unstable,), self.is_stable
+            (Case(stable),), (self._right[0] if self.degree else unstable,), self.is_stable
         )
 
     @functools.cached_property
     def instability(self):
         """The `ReferenceCondition` that some root has a real part above -degree."""
-        return ReferenceCondition((self.some_root_right,), (self.no_root_right,), self.is_unstable)
+        some, none = self._right
+        return ReferenceCondition((some,), (none,), self.is_unstable)
 
     @property
     def order_kept(self):
@@ -185,31 +186,15 @@ class Spectrum:
         )
 
     @property
-    def some_root_right(self):
-        """The case that u + i w with u > 0 is a root."""
-        real, imaginary = self._value
-        return Case(
-            sp.And(*self.order_kept, self.root[0] > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0)),
-            self.root,
-        )
-
-    @property
-    def no_root_right(self):
-        """The case that no u + i w with u > 0 is a root."""
-        real, imaginary = self._value
-        return Case(
-            sp.And(*self.order_kept, sp.Or(self.root[0] <= 0, sp.Ne(real, 0), sp.Ne(imaginary, 0))),
-            self.root,
-            every=True,
-        )
-
-    @property
-    def _value(self):
+    def _right(self):
+        """The cases that some u + i w with u > 0 is a root, and that none is."""
         u, w = self.root
-        n = len(self._terms) - 1
-        return sp.expand(
-            sum(c * (u + sp.I * w) ** (n - k) for k, c in enumerate(self._terms))
-        ).as_real_imag()
+        terms = (c * (u + sp.I * w) ** k for k, c in enumerate(self._terms[::-1]))
+        real, imaginary = sp.expand(sum(terms)).as_real_imag()
+        root = sp.And(u > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0))
+        return Case(sp.And(*self.order_kept, root), self.root), Case(
+            sp.And(*self.order_kept, sp.Not(root)), self.root, every=True
+        )
 
     def _coefficients(self, values):
         """Return the coefficients at values of the parameters, as fractions if all is rational."""

@@ -88,6 +88,8 @@ def parallel_system(answer, system):
 
     A change of variables turns the given system into it, and its own coordinates stand in the parts
     of a parallel decomposition.
+
+    Can decide when the entries are exact numbers. Any such coordinates are accepted.
     """
     matrix, coupling, pair, side = by_equations(answer, system)
     judge_system(matrix, coupling, pair, side)
