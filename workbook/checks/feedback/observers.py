@@ -103,6 +103,15 @@ def closed_loop_equations(claims, field, state, controls, desired, H, K, L, esti
 
     Can decide when the `desired` motion determines these constants; the equations are compared at
     sample values of all symbols.
+
+    Examples
+    --------
+    >>> x, u, e, t = sp.symbols("x u e t")
+    >>> loop = [u], [x], [u], {x: 0}, *map(sp.Matrix, ([[1]], [[-1]], [[2]])), [e], t
+    >>> checks.closed_loop_equations([-e, 2*x - 3*e], *loop).status
+    'right'
+    >>> checks.closed_loop_equations([e, 2*x - 3*e], *loop).status
+    'wrong'
     """
     e = sp.Matrix(estimates)
     prescribed = {s: sp.sympify(function) for s, function in desired.items()}

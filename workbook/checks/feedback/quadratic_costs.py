@@ -348,6 +348,16 @@ def controller_equations(values, problem, process, estimates, outputs):
 
     Can decide when the steady filter and the law of least cost exist, at sample values of the
     estimates, the outputs and the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process, Quadratic
+    >>> e, z = sp.symbols("e z")
+    >>> data = Quadratic(A=1, B=1, G=3, N=1), Process(A=1, Q=3, H=1, R=1), [e], [z]
+    >>> checks.controller_equations(3*z - 5*e, *data).status
+    'right'
+    >>> checks.controller_equations(3*z - 2*e, *data).status
+    'wrong'
     """
     regulator = regulators.Regulator(problem, values)
     model = processes.at_values(process, values, start=False)

@@ -90,6 +90,15 @@ def parallel_system(answer, system):
     of a parallel decomposition.
 
     Can decide when the entries are exact numbers. Any such coordinates are accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=sp.zeros(2), H=[[0, 1], [1, 0]])
+    >>> checks.parallel_system([sp.zeros(2), sp.eye(2)], pair).status
+    'right'
+    >>> checks.parallel_system([sp.zeros(2), [[0, 1], [1, 0]]], pair).status
+    'wrong'
     """
     matrix, coupling, pair, side = by_equations(answer, system)
     judge_system(matrix, coupling, pair, side)

@@ -97,6 +97,16 @@ def amplitude_from_output(claim, system, outputs, time):
 
     Can decide when the matrices are numbers; C is compared at six times of motions from random
     initial states.
+
+    Examples
+    --------
+    >>> from workbook.systems import WithError
+    >>> biased = WithError(A=[[1]], H=[[1]], S=[[0]], c=[[1]], start=[[1]])
+    >>> z, dz, t = sp.symbols("z dz t")
+    >>> checks.amplitude_from_output(z - dz, biased, [z, dz], t).status
+    'right'
+    >>> checks.amplitude_from_output(z + dz, biased, [z, dz], t).status
+    'wrong'
     """
     from scipy.linalg import expm
 
