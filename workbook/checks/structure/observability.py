@@ -65,12 +65,8 @@ def observable_parameters(answer, system, parameters, part=None):
     >>> checks.observable_parameters(sp.Ne(k, 0), pair, [k]).status
     'wrong'
     """
-    pair = (
-        observed_pair(system, parameters)
-        if part is None
-        else observed_pair(system, parameters, PARTS[part](system))
-    )
-    return judge_region(answer, pair, words(system, part))
+    selected = PARTS[part](system) if part else None
+    return judge_region(answer, observed_pair(system, parameters, selected), words(system, part))
 
 
 @judged(system="Linear, WithError, Varying, Process, Mechanical or Measurements with outputs")

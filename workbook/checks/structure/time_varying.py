@@ -174,7 +174,10 @@ def _at_times(claim, system, parameters):
 
 
 def _exponentials(matrix, times):
-    """Return e^{At} at many times at once, by Taylor's series for a part of each and squaring."""
+    """Return e^{At} at many times at once, by Taylor's series for a part of each and squaring.
+
+    SciPy's `expm` takes the times one by one, which costs several times as much.
+    """
     squarings = max(0, int(np.ceil(np.log2(2 * np.linalg.norm(matrix) * times.max() + 1e-300))))
     parts = times[:, None, None] * (matrix / 2.0**squarings)  # of norm 1/2 at most
     exponentials = term = np.broadcast_to(np.eye(len(matrix)), parts.shape)
