@@ -178,10 +178,10 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 f"of the coordinates{where}, so not all of yours are observable"
             )
         if claim.rows < order:
+            plural = "s" if claim.rows != 1 else ""
             raise Wrong(
                 f"the output and its derivatives hold more than {claim.rows} independent "
-                f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
-                "too few for them"
+                f"combination{plural} of the coordinates{where}; yours are too few for them"
             )
         yield SameEntries(
             claim[0, :],
@@ -198,12 +198,10 @@ def canonical_part_coordinates(claim, system, parameters=()):
         for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A
             residual = (rate - following) @ projection
-            uncertainty = uncertainties[k] @ abs(A @ projection) + uncertainties[k + 1] @ abs(
-                projection
-            )
-            if not np.linalg.norm(residual) <= np.linalg.norm(uncertainty) + EXACT * (
-                np.linalg.norm(rate) + np.linalg.norm(following)
-            ):
+            uncertainty = uncertainties[k] @ abs(A @ projection)
+            uncertainty = uncertainty + uncertainties[k + 1] @ abs(projection)
+            size = np.linalg.norm(rate) + np.linalg.norm(following)
+            if not np.linalg.norm(residual) <= np.linalg.norm(uncertainty) + EXACT * size:
                 j = int(np.argmax(abs(residual)))
                 expression_text = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(
@@ -276,9 +274,8 @@ def _judge_change(claim, pair, row_names, by_rows):
 
         def message(claimed, k, j):
             candidate, reference = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
-            if np.linalg.cond(reference) < 1e12 and np.linalg.norm(
-                candidate @ reference - np.eye(n)
-            ) <= 10 * relative_tolerance(claim):
+            off = np.linalg.norm(candidate @ reference - np.eye(n))
+            if np.linalg.cond(reference) < 1e12 and off <= 10 * relative_tolerance(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
                     "x from xi; asked is T in xi = T x"
                     if by_rows

@@ -161,14 +161,10 @@ def similarity_matrix(claim, system, other, parameters=()):
         require_invertible(claimed, tolerance, values)
         left, right = claimed @ A_source, A_target @ claimed
         uncertainty = entry_uncertainties(claim, values)
-        size = (
-            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(A_source)
-            + abs(A_target) @ np.linalg.norm(claimed, axis=1)[:, None]
-        )
-        mismatched = ~(
-            abs(left - right)
-            <= EXACT * size + uncertainty @ abs(A_source) + abs(A_target) @ uncertainty
-        )
+        lengths = np.linalg.norm(claimed, axis=1)[:, None]
+        bound = EXACT * (lengths * np.linalg.norm(A_source) + abs(A_target) @ lengths)
+        bound = bound + uncertainty @ abs(A_source) + abs(A_target) @ uncertainty
+        mismatched = ~(abs(left - right) <= bound)
         if mismatched.any():
             inverse = np.linalg.inv(claimed)
             off = np.linalg.norm(inverse @ A_source - A_target @ inverse)
@@ -180,13 +176,8 @@ def similarity_matrix(claim, system, other, parameters=()):
                 f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by "
                 "the second"
             )
-    judge_everywhere(
-        claim,
-        source.parameters,
-        lambda: sp.true,
-        "your matrix is undefined",
-        "your matrix has no inverse",
-    )
+    undefined, singular = "your matrix is undefined", "your matrix has no inverse"
+    judge_everywhere(claim, source.parameters, lambda: sp.true, undefined, singular)
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
@@ -213,11 +204,9 @@ def _judge_split(claim, pair, side):
         claimed, size = matrix_at(claim, values), n - len(unobservable)
         require_invertible(claimed, tolerance, values)
         space, _ = np.linalg.qr(unobservable.T)
-        if (
-            abs(claimed[:size] @ space)
-            <= EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
-            + entry_uncertainties(claim, values)[:size] @ abs(space)
-        ).all():
+        bound = EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
+        bound = bound + entry_uncertainties(claim, values)[:size] @ abs(space)
+        if (abs(claimed[:size] @ space) <= bound).all():
             continue
         if _vanishes(np.linalg.inv(claimed)[:size], space, tolerance):
             raise Wrong(f"this matrix gives {side.reverse}; asked is {side.expected}")

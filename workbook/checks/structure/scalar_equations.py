@@ -135,10 +135,8 @@ class _LinearEquation:
             [self._coefficient(difference, symbol) for symbol in symbols]
             for symbols in self.derivatives
         ]
-        constant_term = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
-        if constant_term.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or (
-            constant_term != 0 and sp.simplify(constant_term) != 0
-        ):
+        constant = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
+        if constant.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or sp.simplify(constant) != 0:
             raise Wrong(
                 f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
                 "your equation has a term without any of them, so that it fails at rest without control"
@@ -221,14 +219,9 @@ class _LinearEquation:
                 state[n:] = 0
             if self._fails(numbers, output_map, state):
                 break
-        x = ", ".join(number_text(s) for s in state[:n])
-        control = (
-            f"{u} = 0"
-            if unforced
-            else ", ".join(
-                f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])
-            )
-        )
+        x = ", ".join(map(number_text, state[:n]))
+        controls = [f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])]
+        control = f"{u} = 0" if unforced else ", ".join(controls)
         hint = "" if unforced else "without control it is right; "
         raise Wrong(
             f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your "
@@ -257,10 +250,10 @@ class _LinearEquation:
                 "derivatives, "
                 f"such as `{y}.diff({self.time})`; with `==` Python compares the sides at once"
             )
-        if any(
-            not isinstance(side, sp.Expr)
-            or isinstance(side, sp.MatrixBase)
-            or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
+        undefined = sp.nan, sp.zoo, sp.oo, -sp.oo
+        if not all(
+            isinstance(side, sp.Expr)
+            and not (isinstance(side, sp.MatrixBase) or side.has(*undefined))
             for side in sides
         ):
             raise Invalid(

@@ -52,10 +52,8 @@ def judge_basis(vectors, pair, side, where_suffix=None):
                 raise Wrong(
                     f"your vector {k} is zero{where}; a basis consists of vectors that are not"
                 )
-            if not (
-                abs(vector - space @ (space.T @ vector))
-                <= EXACT * size + projection @ uncertainties[k - 1]
-            ).all():
+            bound = EXACT * size + projection @ uncertainties[k - 1]
+            if not (abs(vector - space @ (space.T @ vector)) <= bound).all():
                 raise Wrong(f"{_nonzero_text(pair, point, vector, k, side)}{where}")
         directions = claimed / np.linalg.norm(claimed, axis=1)[:, None]
         if len(claimed) and np.linalg.svd(directions, compute_uv=False)[-1] < 1e-2 * tolerance:
