@@ -3,6 +3,8 @@
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
 `deviations` are the standard deviations of their independent errors, 1 by default. A third entry,
 (quantity, value, count), gives the number of measurements with this value.
+
+No check here is declared by a reference: the deviations stand before the parameters in the data.
 """
 
 import numpy as np

@@ -3,6 +3,8 @@
 The `law` is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of
 it.
+
+No check here is declared by a reference: an answer may have several expressions.
 """
 
 import functools

@@ -7,6 +7,8 @@ For such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, 
 any values at one time. The form is right if these satisfy the equation and give z, and if x, x', ...,
 x^(n-1) determine y: then the equation and the form have the same motions. A form with the right transfer
 function alone need not have all of them.
+
+No check here is declared by a reference: any state-space form is right.
 """
 
 import numpy as np

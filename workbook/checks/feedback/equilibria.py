@@ -3,6 +3,8 @@
 The linearisation decides. It is inconclusive under every gain if an eigenvalue that no gain changes
 lies on the imaginary axis. Then motions that start close to the equilibrium decide, as in
 `zero_solution_stability`.
+
+No check here is declared by a reference: any stabilising gain is right.
 """
 
 import functools

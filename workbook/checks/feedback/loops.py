@@ -6,6 +6,8 @@ What is required is data: a characteristic polynomial, whose coefficients may be
 degree of stability mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
 parameters that their assumptions allow. Any gain that meets it is right. An empty list says that
 there is none, which is judged by the modes that no gain changes.
+
+No check here is declared by a reference: any gain that meets the requirement is right.
 """
 
 from dataclasses import dataclass

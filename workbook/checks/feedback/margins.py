@@ -1,6 +1,8 @@
 """Stabilising gains: their region, the degrees of stability that can be attained, and obstacles.
 
 A degree of stability mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
+
+No check here is declared by a reference: conditions are decided for all parameters.
 """
 
 import sympy as sp

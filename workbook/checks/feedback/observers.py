@@ -2,6 +2,8 @@
 
 Along the motions of x' = Ax + Bu, z = Hx the error has to obey an equation of its own, d' = (A -
 LH) d with some L, for all x and u; then its spectrum is judged as that of a gain.
+
+No check here is declared by a reference: any gain is right, and an answer has several expressions.
 """
 
 import itertools

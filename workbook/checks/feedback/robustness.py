@@ -7,6 +7,8 @@ process by the estimate of its steady filter. It has to be asymptotically stable
 A message names no frequency at which a margin is attained, since the margin follows from it. Of a
 margin that is too large it names the frequency of a motion that grows within it, of a disk one at which
 the curve is nearer.
+
+No check here is declared by a reference: a margin may be infinite.
 """
 
 import cmath

@@ -10,6 +10,8 @@ observable canonical form with rows and columns in reverse order.
 Coordinates of the observable part alone are judged by the equations that the form stands for, z =
 xi1 and xi_k' = (a multiple of z) + xi_(k+1), the last one without its second term. With as many
 rows as the observable part has, the multiples are determined.
+
+No check here is declared by a reference: a form is judged by its shape, and at all values of the parameters.
 """
 
 from collections.abc import Callable

@@ -13,6 +13,8 @@ does) is free of this.
   (columns A^k b_i) taken from its own chain, each up to rows taken with lower powers of A: so the
   canonical form of each part, as in example 7, is accepted as well as the chains. The parts may act
   on one another, yet each is observable by its own output (controllable by its own control).
+
+No check here is declared by a reference: any coordinates with the zeros asked are right.
 """
 
 import numpy as np

@@ -4,6 +4,8 @@ A change of variables is judged by the zeros of the new matrices. A system given
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
 linear equations, and an invertible one exists if a random solution is invertible. So every choice
 of coordinates is right that has the form asked.
+
+No check here is declared by a reference: any coordinates with the zeros asked are right.
 """
 
 from dataclasses import dataclass

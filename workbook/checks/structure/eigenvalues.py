@@ -2,6 +2,8 @@
 
 Theorem 2.3 with an output, Theorem 2.4 with a control, Theorems 2.5 and 2.6 for a mechanical
 system.
+
+No check here is declared by a reference: a wrong value is explained by the rank there.
 """
 
 from workbook.checks.contract.verdict import judged

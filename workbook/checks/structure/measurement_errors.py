@@ -7,6 +7,8 @@ Whether z determines x(0) and C is judged in `observability.py`: a pair (x(0), C
 for all time cannot be distinguished from zero. These pairs come from the largest unobservable
 invariant subspace (`known_starts`), not from the rank of an augmented matrix, which allows errors
 of any initial state w(0).
+
+No check here is declared by a reference: any coordinates of the error are right.
 """
 
 import numpy as np

@@ -7,6 +7,8 @@ A rank falls exactly where all maximal minors of its matrix vanish together, so 
 are the roots of their greatest common divisor, a polynomial with rational coefficients. This holds
 for a singular M too. All other questions about these systems are judged in the states (x, x'), in
 `observability.py` and `controllability.py`.
+
+No check here is declared by a reference: a wrong value is explained by the rank there.
 """
 
 import dataclasses

@@ -4,6 +4,8 @@ Any combination of the equations is accepted.
 
 Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1
 K q + M^-1 L u, and this is compared.
+
+No check here is declared by a reference: any combination of the equations is right.
 """
 
 import numpy as np

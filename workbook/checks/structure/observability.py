@@ -3,6 +3,8 @@
 The records are x' = A x, z = H x as `Linear` or `Process`, with an error in the measurement as
 `WithError`, with a row H(t) as `Varying`, and `Mechanical`; of constants as `Measurements`,
 locally. The `parameters` in them are a list of symbols.
+
+No check here is declared by a reference: conditions and bases are decided exactly.
 """
 
 from workbook.checks.contract.claims import Vectors, YesNo

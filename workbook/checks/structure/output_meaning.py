@@ -4,6 +4,8 @@ A measurement z = H x along the motions of x' = A x is a solution of a linear eq
 0, and every solution of the equation of lowest order occurs. So a measurement and a coordinate of
 another system can be the same quantity only if these equations agree; they are found as the first
 dependence among the rows H, H A, H A^2, ..., in exact arithmetic.
+
+No check here is declared by a reference: the answer is a word.
 """
 
 import sympy as sp

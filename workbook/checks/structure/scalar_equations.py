@@ -8,6 +8,8 @@ all of these values, so neither the arrangement of its sides nor a factor matter
 given as a combination of x it is the first coordinate of the controllable canonical form (2.4): the
 combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the
 coefficient 1, and not before.
+
+No check here is declared by a reference: any arrangement of an equation is right.
 """
 
 import numpy as np

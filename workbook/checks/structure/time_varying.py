@@ -2,6 +2,8 @@
 
 Where the row H(t) changes, the system is a `Varying`. Unobservable states are asked for in
 `observability.py`.
+
+No check here is declared by a reference: each has samples of its own, which would make it longer.
 """
 
 from math import comb
