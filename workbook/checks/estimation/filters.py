@@ -296,10 +296,8 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        model, P = (
-            processes.at_values(process, values, False),
-            processes.to_array(covariance, values),
-        )
+        model = processes.at_values(process, values, start=False)
+        P = processes.to_array(covariance, values)
         y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
         gain = processes.filter_gain(model, P)
         terms = model.A @ y, gain @ z, -gain @ model.H @ y
@@ -339,10 +337,8 @@ def riccati_equation(claim, process, covariance, parameters=()):
     units = regulators.covariance_units(processes.as_process(process))
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, units / 9 if k % 2 else units)
-        model, P = (
-            processes.at_values(process, values, False),
-            processes.to_array(covariance, values),
-        )
+        model = processes.at_values(process, values, start=False)
+        P = processes.to_array(covariance, values)
         A, gain = model.A, processes.filter_gain(model, P)
         if model.discrete:
             terms = A @ P @ A.T, -A @ gain @ model.H @ P @ A.T, model.Q

@@ -102,10 +102,8 @@ def _judge_gain(flow, state, equilibrium, gain):
         raise Wrong(f"the gain for {point_text(equilibrium)} is not real")
     A, B = _linearisation(flow, state, equilibrium)
     eigenvalues = np.linalg.eigvals(A + B @ gain.real)
-    largest, reason = (
-        max(eigenvalues.real),
-        f"the loop has the eigenvalues {roots_text(eigenvalues)}",
-    )
+    largest = max(eigenvalues.real)
+    reason = f"the loop has the eigenvalues {roots_text(eigenvalues)}"
     stable = largest < -ON_BORDER
     if abs(largest) <= ON_BORDER and abs(_slowest_fixed(A, B)) <= ON_BORDER:
         rows = tuple(map(tuple, gain.real))

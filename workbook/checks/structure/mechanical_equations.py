@@ -66,10 +66,8 @@ def mechanical_equations(claim, system, parameters=()):
             claimed, true, uncertainties, "qu", (-1, 1)
         ):
             perturbed = perturbed_arrays((mass, claimed_part), (mass_uncertainty, uncertainty))
-            rates, true_rates = (
-                np.linalg.solve(mass, claimed_part),
-                np.linalg.solve(true_mass, true_part),
-            )
+            rates = np.linalg.solve(mass, claimed_part)
+            true_rates = np.linalg.solve(true_mass, true_part)
             uncertain = sum(abs(np.linalg.solve(*parts) - rates) for parts in perturbed)
             yield SameSides(
                 rates,

@@ -146,10 +146,8 @@ class _LinearEquation:
 
     def judge_where_generic(self, pair):
         """Judge that the equation is defined and keeps its order for all parameters."""
-        undefined, dropped = (
-            "your equation is undefined",
-            "the highest derivative falls out of your equation",
-        )
+        undefined = "your equation is undefined"
+        dropped = "the highest derivative falls out of your equation"
         of_motion, of_control = self.coefficients
         judge_where_generic(sp.Matrix([of_motion + of_control]), pair, undefined)
         judge_where_generic(sp.Matrix([of_motion[pair.order]]), pair, undefined, dropped)
