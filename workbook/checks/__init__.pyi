@@ -1106,7 +1106,7 @@ def uncorrelated(
 ) -> Verdict:
     """Check all angles at which two quantities, linear in the vector, are not correlated."""
 
-def undetectable_mode(answer: Any, system: Any, parameters: Any = ...) -> Verdict:
+def undetectable_mode(claim: Any, system: Any, parameters: Any = ...) -> Verdict:
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none."""
 
 def unique_equilibrium(answer: Any, field: Any, state: Any, parameters: Any) -> Verdict:
