@@ -11,6 +11,7 @@ from workbook.checks.contract.former_checks import FORMER
 from workbook.systems import Linear
 
 x, v, p = sp.symbols("x v p", real=True)
+s = sp.Symbol("s")
 n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
 PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
 WELL = [v, -x - k * v], [x, v], [k]
@@ -24,6 +25,8 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
 @pytest.mark.parametrize(
     ("name", "right", "wrong", "data"),
     [
+        ("delay_margin", sp.pi / 2, 1, (1 / s,)),
+        ("disk_margin", 1, 2, (1 / s,)),
         ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),
         ("equilibrium_angles_exist", True, k > 1, PENDULUM),
         ("equilibrium_exists", True, k > 1, PENDULUM),
@@ -33,6 +36,7 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
         ("node_region", k > 2, k > 3, WELL),
         ("nullcline", k, -k, (x - k, x, [k])),
         ("possible_margins", mu <= 3, mu <= 4, (Linear([[1, 0], [0, -3]], [[1], [0]]), mu)),
+        ("phase_margin", sp.pi / 2, 1, (1 / s,)),
         ("saddle_angle_condition", sp.cos(p) < 0, sp.cos(p) > 0, (*PENDULUM, p)),
         ("stable_angle_condition", sp.cos(p) > 0, sp.cos(p) < 0, (*PENDULUM, p)),
         ("stable_equilibria", [(0, 0)], [], ([v, -x - v], [x, v])),

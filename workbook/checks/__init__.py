@@ -119,7 +119,7 @@ _present, __dir__, __all__ = lazy_names(
             "optimal_limit_state",
             "steady_cost",
         ],
-        "feedback.robustness": ["delay_margin", "disk_margin", "gain_margins", "phase_margin"],
+        "feedback.robustness": ["gain_margins", "loop_margin"],
         "feedback.observers": ["closed_loop_equations", "observer_equations"],
         "estimation.moments": ["correlation", "covariance", "expectations", "uncorrelated"],
         "estimation.least_squares": ["error_covariance", "least_squares", "least_sum_of_squares"],

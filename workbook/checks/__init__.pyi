@@ -229,28 +229,6 @@ def decomposed_system(answer: Any, system: Any, parameters: Any = ...) -> Verdic
 def decomposition(claim: Any, system: Any, parameters: Any = ...) -> Verdict:
     """Check the change of variables of a decomposition into (xi; eta)."""
 
-def delay_margin(
-    claim: Any,
-    loop: Any,
-    K: Any = ...,
-    L: Any = ...,
-    process: Any = ...,
-    parameters: Any = ...,
-    given: Any = ...,
-) -> Verdict:
-    """Check the smallest delay of the control with which the loop is not asymptotically stable."""
-
-def disk_margin(
-    claim: Any,
-    loop: Any,
-    K: Any = ...,
-    L: Any = ...,
-    process: Any = ...,
-    parameters: Any = ...,
-    given: Any = ...,
-) -> Verdict:
-    """Check the disk margin, the distance min |1 + L(i omega)| of the Nyquist curve from -1."""
-
 def dispersal_curve(
     claim: Any,
     system: Any,
@@ -608,6 +586,18 @@ def linearisation(claim: Any, field: Any, state: Any, at: Any, parameters: Any =
 def linearisation_unstable(answer: Any, system: Any, parameters: Any) -> Verdict:
     """Check the parameters for which a linearisation has an eigenvalue with positive real part."""
 
+def loop_margin(
+    claim: Any,
+    loop: Any,
+    K: Any = ...,
+    L: Any = ...,
+    process: Any = ...,
+    parameters: Any = ...,
+    given: Any = ...,
+    kind: Any = ...,
+) -> Verdict:
+    """Check the phase, delay or disk margin of a loop, as the `kind` says."""
+
 def lyapunov_derivative(
     claim: Any,
     function: Any,
@@ -812,17 +802,6 @@ def phase_curve(
     domain: Any = ...,
 ) -> Verdict:
     """Check the phase curve through given points of the border of the domain."""
-
-def phase_margin(
-    claim: Any,
-    loop: Any,
-    K: Any = ...,
-    L: Any = ...,
-    process: Any = ...,
-    parameters: Any = ...,
-    given: Any = ...,
-) -> Verdict:
-    """Check the smallest phase shift, in radians, with which the loop is not asymptotically stable."""
 
 def polar_angle_rate(claim: Any, problem: Any, angle: Any) -> Verdict:
     """Check the rate of the polar angle of a planar state, in the angle and the control."""
@@ -1112,7 +1091,7 @@ def uncorrelated(
 ) -> Verdict:
     """Check all angles at which two quantities, linear in the vector, are not correlated."""
 
-def undetectable_mode(answer: Any, system: Any, parameters: Any = ...) -> Verdict:
+def undetectable_mode(claim: Any, system: Any, parameters: Any = ...) -> Verdict:
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none."""
 
 def unobservable_parameters(answer: Any, system: Any, parameters: Any) -> Verdict:

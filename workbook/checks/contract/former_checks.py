@@ -5,9 +5,12 @@ import functools
 _POINTS = "field state parameters domain"
 _VALUES = "field state parameters given integer"
 _ANGLES = "field state parameters integer"
+_LOOP = "loop K L process parameters given"
 _STABLE, _UNSTABLE = {"kind": "asymptotically stable"}, {"kind": "unstable"}
 #: {former name: the check, the order of its data then, data that it did not take}.
 FORMER = {
+    "delay_margin": ("loop_margin", _LOOP, {"kind": "delay"}),
+    "disk_margin": ("loop_margin", _LOOP, {"kind": "disk"}),
     "equilibrium_angles": ("equilibrium_values", _ANGLES, {}),
     "equilibrium_angles_exist": ("equilibrium_condition", _POINTS, {}),
     "equilibrium_exists": ("equilibrium_condition", _POINTS, {}),
@@ -17,6 +20,7 @@ FORMER = {
     "node_region": ("equilibrium_condition", _POINTS, {"kind": "node"}),
     "nullcline": ("equilibria", _POINTS, {}),
     "possible_margins": ("possible_degrees", "system mu parameters", {}),
+    "phase_margin": ("loop_margin", _LOOP, {"kind": "phase"}),
     "saddle_angle_condition": (
         "equilibrium_condition",
         "field state parameters angle",

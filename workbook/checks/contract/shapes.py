@@ -98,6 +98,7 @@ SHAPES = {
         "equation": "Scalar",
         "estimates": "list of n symbols",
         "gain": "matrix of symbols, or one",
+        "kind": '"phase", "delay" or "disk"',
         "given": "condition, or list of them",
         "loop": "rational function of one more symbol, Linear or Quadratic",
         "degree": "number",

@@ -69,7 +69,8 @@ def estimate(values, process, measured, at):
     'wrong'
     """
     _, measurements, mean, _ = _conditional_moments(values, process, measured, at)
-    return Truth(mean, abs(mean).max() + _size(measurements))
+    largest = max((abs(z) for _, row in measurements for z in row), default=0)
+    return Truth(mean, abs(mean).max() + largest)
 
 
 @declared(
@@ -256,14 +257,15 @@ def steady_filter_exists(answer, process, parameters):
     """
 
     def message(values, holds):
-        return (
-            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
-            + (
-                "there a filter settles, and its errors decay"
-                if holds
-                else "there look at a mode that does not decay and is not measured, "
-                "or at one that neither decays nor grows and that the noise does not reach"
+        if holds:
+            return (
+                f"your condition does not hold for {values_text(values)}; there a filter settles, "
+                "and its errors decay"
             )
+        return (
+            f"your condition holds for {values_text(values)}; there look at a mode that does not "
+            "decay and is not measured, or at one that neither decays nor grows and that the noise "
+            "does not reach"
         )
 
     agreement = compare(answer, parameters, processes.steady_exists(process), message)
@@ -294,26 +296,21 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        model, P = (
-            processes.at_values(process, values, start=False),
-            processes.to_array(covariance, values),
-        )
+        model = processes.at_values(process, values, start=False)
+        P = processes.to_array(covariance, values)
         y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
         gain = processes.filter_gain(model, P)
         terms = model.A @ y, gain @ z, -gain @ model.H @ y
-        yield SameEntries(
-            claim,
-            sum(terms),
-            lambda claimed, i, j: (
+        size = sum(map(abs, terms))
+
+        def message(claimed, i, _):
+            return (
                 f"your rate of change of {estimates[i]} is "
                 f"{number_text(claimed[i, 0])}{where_text(values)}; "
-                + innovation_text(
-                    claim, values, outputs, model.H @ y, terms[0], sum(map(abs, terms))
-                )
-            ),
-            values,
-            sum(map(abs, terms)),
-        )
+                + innovation_text(claim, values, outputs, model.H @ y, terms[0], size)
+            )
+
+        yield SameEntries(claim, sum(terms), message, values, size)
     return "the estimate moves like the process, and the innovation is taken in with the best gain"
 
 
@@ -340,46 +337,26 @@ def riccati_equation(claim, process, covariance, parameters=()):
     units = regulators.covariance_units(processes.as_process(process))
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, units / 9 if k % 2 else units)
-        model, P = (
-            processes.at_values(process, values, start=False),
-            processes.to_array(covariance, values),
-        )
+        model = processes.at_values(process, values, start=False)
+        P = processes.to_array(covariance, values)
+        A, gain = model.A, processes.filter_gain(model, P)
         if model.discrete:
-            terms = (
-                model.A @ P @ model.A.T,
-                -model.A @ processes.filter_gain(model, P) @ model.H @ P @ model.A.T,
-                model.Q,
-            )
+            terms = A @ P @ A.T, -A @ gain @ model.H @ P @ A.T, model.Q
         else:
-            terms = (
-                model.A @ P,
-                P @ model.A.T,
-                model.Q,
-                -P @ model.H.T @ processes.filter_gain(model, P).T,
-            )
-        yield SameEntries(
-            claim,
-            sum(terms),
-            lambda claimed, i, j: (
-                f"{'your' if model.discrete else 'your rate of change of the'} entry "
-                f"({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; "
-                + (
-                    "it is not that of the covariance of the error before the next measurement"
-                    if model.discrete
-                    else wrong_degree_text(
-                        claim,
-                        values,
-                        sorted(covariance.free_symbols, key=str),
-                        terms[2],
-                        terms[0] + terms[1],
-                        sum(map(abs, terms)),
-                        "the covariance",
-                    )
+            terms = A @ P, P @ A.T, model.Q, -P @ model.H.T @ gain.T
+        size = sum(map(abs, terms))
+
+        def message(claimed, i, j):
+            entry = f"entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}"
+            if model.discrete:
+                return (
+                    f"your {entry}; it is not that of the covariance of the error before the next "
+                    "measurement"
                 )
-            ),
-            values,
-            sum(map(abs, terms)),
-        )
+            text = wrong_degree_text(claim, values, covariance, terms, size, "the covariance")
+            return f"your rate of change of the {entry}; {text}"
+
+        yield SameEntries(claim, sum(terms), message, values, size)
     return "the motion, the noise and the measurement change the covariance at this rate"
 
 
@@ -419,10 +396,9 @@ def _definite(covariance, values, sizes):
     Its entries are then multiplied by `sizes`.
     """
     matrix = covariance.subs(values)
-    definite = matrix + sp.diag(
-        *[sum(map(abs, matrix[k, :])) - matrix[k, k] for k in range(matrix.rows)]
-    )
-    return values | dict(zip(covariance, definite.multiply_elementwise(sizes)))
+    added = [sum(map(abs, matrix[k, :])) - matrix[k, k] for k in range(matrix.rows)]
+    definite = (matrix + sp.diag(*added)).multiply_elementwise(sizes)
+    return values | dict(zip(covariance, definite))
 
 
 def _conditional_moments(values, process, measured, at):
@@ -439,7 +415,3 @@ def _conditional_moments(values, process, measured, at):
 
 def _times(instant):
     return list(instant) if isinstance(instant, sp.Range) else [instant]
-
-
-def _size(measurements):
-    return max((abs(z) for _, row in measurements for z in row), default=0)

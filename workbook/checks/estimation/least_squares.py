@@ -3,6 +3,8 @@
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
 `deviations` are the standard deviations of their independent errors, 1 by default. A third entry,
 (quantity, value, count), gives the number of measurements with this value.
+
+No check here is declared by a reference: the deviations stand before the parameters in the data.
 """
 
 import numpy as np
@@ -34,10 +36,8 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     """
     for values in in_every_case(general_values(parameters), claims):
         rows, right_side = _weighted(measured, unknowns, deviations, values)
-        true, claimed = (
-            np.linalg.lstsq(rows, right_side, rcond=None)[0],
-            numbers_at(claims, values, unknowns),
-        )
+        true = np.linalg.lstsq(rows, right_side, rcond=None)[0]
+        claimed = numbers_at(claims, values, unknowns)
         uncertain = [uncertainty_at(claim, values) for claim in claims]
         if not agree(claimed, true, claims, abs(true).max(), uncertain=uncertain).all():
             residuals = right_side - rows @ claimed.real
@@ -67,16 +67,11 @@ def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=
     >>> checks.least_sum_of_squares(4, [(a, 1), (a, 3)], [a]).status
     'wrong'
     """
+    quantity = "the weighted sum of the squared residuals at the estimate"
     for values in in_every_case(general_values(parameters), claim):
         rows, right_side = _weighted(measured, unknowns, deviations, values)
         residuals = right_side - rows @ np.linalg.lstsq(rows, right_side, rcond=None)[0]
-        yield SameValue(
-            claim,
-            residuals @ residuals,
-            "the weighted sum of the squared residuals at the estimate",
-            values,
-            right_side @ right_side,
-        )
+        yield SameValue(claim, residuals @ residuals, quantity, values, right_side @ right_side)
     return "it is the sum at the estimate"
 
 
@@ -100,21 +95,17 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
         # Each estimate is a linear combination of the measurements, whose weighted errors are
         # independent with variance 1.
         pseudoinverse = np.linalg.pinv(rows)
-        yield SameEntries(
-            claim,
-            pseudoinverse @ pseudoinverse.T,
-            lambda claimed, i, j: (
+        size = abs(pseudoinverse) @ abs(pseudoinverse).T
+
+        def message(claimed, i, j):
+            product = f"mean of the product of the errors of {unknowns[i]} and {unknowns[j]}"
+            return (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(claimed[i, j])}{where_text(values)}; it is not "
-                + (
-                    f"the variance of the error of {unknowns[i]}"
-                    if i == j
-                    else f"the mean of the product of the errors of {unknowns[i]} and {unknowns[j]}"
-                )
-            ),
-            values,
-            abs(pseudoinverse) @ abs(pseudoinverse).T,
-        )
+                f"{number_text(claimed[i, j])}{where_text(values)}; it is not the "
+                + (f"variance of the error of {unknowns[i]}" if i == j else product)
+            )
+
+        yield SameEntries(claim, pseudoinverse @ pseudoinverse.T, message, values, size)
     return "these are the variances and covariances of the errors of the estimate"
 
 
@@ -124,9 +115,8 @@ def _weighted(measured, unknowns, deviations, values):
     constant_terms = quantities.subs(dict.fromkeys(unknowns, 0))
     right_side = sp.Matrix([value for _, value, *_ in measured]) - constant_terms
     counts = [sp.sqrt(*count) if count else 1 for _, _, *count in measured]
-    scale = sp.diag(
-        *[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))]
-    )
+    deviations = deviations or [1] * len(measured)
+    scale = sp.diag(*[count / sp.sympify(s) for count, s in zip(counts, deviations)])
     rows, right_side = (
         np.array((scale * part).subs(values).evalf(30), dtype=float)
         for part in (quantities.jacobian(unknowns), right_side)

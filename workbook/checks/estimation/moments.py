@@ -3,6 +3,8 @@
 The `law` is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of
 it.
+
+No check here is declared by a reference: an answer may have several expressions.
 """
 
 import functools
@@ -67,20 +69,15 @@ def covariance(claim, first, second, vector, law, parameters=()):
     """
     rows, columns = _as_list(first), _as_list(second)
     for values in in_every_case(general_values(parameters), claim):
-        covariances, size = (
-            part[: len(rows), len(rows) :]
-            for part in _covariances([*rows, *columns], vector, law, values)
-        )
+        covariances, sizes = _covariances([*rows, *columns], vector, law, values)
         for i, j in np.ndindex(claim.shape):
-            yield SameValue(
-                claim[i, j],
-                covariances[i, j],
+            quantity = (
                 f"the variance of {rows[i]}, the mean square of its deviation,"
                 if rows[i] == columns[j]
-                else f"the covariance of {rows[i]} and {columns[j]}, the mean product of their deviations,",
-                values,
-                size[i, j],
+                else f"the covariance of {rows[i]} and {columns[j]}, the mean product of their deviations,"
             )
+            at = i, len(rows) + j
+            yield SameValue(claim[i, j], covariances[at], quantity, values, sizes[at])
     return "it is the mean of the product of the deviations from the means"
 
 
@@ -99,15 +96,14 @@ def correlation(claim, first, second, vector, law, parameters=()):
     >>> checks.correlation(sp.Rational(1, 10), x, y, [x, y], sp.Matrix([[2, 1], [1, 5]])).status
     'wrong'
     """
+    quotient = "the covariance divided by the product of the standard deviations"
     for values in in_every_case(general_values(parameters), claim):
-        covariances, _ = _covariances([first, second], vector, law, values)
-        yield SameValue(
-            claim,
-            covariances[0, 1] / np.sqrt(covariances[0, 0] * covariances[1, 1]),
-            "the covariance divided by the product of the standard deviations",
-            values,
-        )
-    return "it is the covariance divided by the product of the standard deviations"
+        (first_variance, shared), (_, second_variance) = _covariances(
+            [first, second], vector, law, values
+        )[0]
+        true = shared / np.sqrt(first_variance * second_variance)
+        yield SameValue(claim, true, quotient, values)
+    return f"it is {quotient}"
 
 
 @judged(Values(expected="a list of angles"))
@@ -173,12 +169,10 @@ def _as_list(quantities):
 
 
 def _mean(quantity, vector, law, values):
-    terms = [
-        complex(
-            sp.sympify(probability * quantity.subs(dict(zip(vector, _entries(value))))).subs(values)
-        ).real
-        for value, probability in law.items()
-    ]
+    terms = []
+    for value, probability in law.items():
+        at = dict(zip(vector, value if isinstance(value, tuple) else (value,)))
+        terms.append(complex(sp.sympify(probability * quantity.subs(at)).subs(values)).real)
     return sum(terms), sum(map(abs, terms))
 
 
@@ -194,7 +188,3 @@ def _covariances(quantities, vector, law, values):
         for q, a in zip(quantities, means)
     ]
     return tuple(np.array([[pair[k] for pair in row] for row in pairs]) for k in (0, 1))
-
-
-def _entries(value):
-    return value if isinstance(value, tuple) else (value,)

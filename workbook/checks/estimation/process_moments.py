@@ -50,20 +50,12 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
     >>> checks.state_after_steps(a*m + u + v, Process(A=a, Q=1, discrete=True), [m], [u, v], [a]).status
     'wrong'
     """
-    columns = [
-        sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
-        for column in (start, *noises)
-    ]
-    symbols = list(
-        dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str))
-    )
-    for values in in_every_case(
-        allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
-    ):
-        A, (true, *disturbances) = (
-            processes.to_array(process.A, values),
-            [processes.to_array(c, values) for c in columns],
-        )
+    columns = [sp.Matrix(c if isinstance(c, (list, tuple)) else [c]) for c in (start, *noises)]
+    symbols = dict.fromkeys(s for c in columns for s in sorted(c.free_symbols, key=str))
+    samples = allowed_values([*parameters, *symbols], given, len(TIMES))
+    for values in in_every_case(samples, claim, given):
+        A = processes.to_array(process.A, values)
+        true, *disturbances = (processes.to_array(column, values) for column in columns)
         size = abs(true)
         for disturbance in disturbances:
             true, size = A @ true + disturbance, abs(A) @ size + abs(disturbance)
@@ -97,21 +89,15 @@ def _wrong_moment(moment, equation):
 def _at_times(data):
     """Return samples at several times, the time being the last of the values."""
     time, given, times = data["time"], data["given"], data["times"]
-    time_range = (
-        sp.Or(*(sp.Eq(time, instant) for instant in times))
-        if times
-        else sp.And(time >= 0, time <= LATEST)
-    )
+    time_range = sp.And(time >= 0, time <= LATEST)
+    if times:
+        time_range = sp.Or(*(sp.Eq(time, instant) for instant in times))
     times = times or (STEPS if processes.as_process(data["process"]).discrete else TIMES)
     samples = allowed_values(data["parameters"], given, max(len(times), len(TIMES)))
     # However few the times are, the parameters take as many values as elsewhere.
-    count = max(len(times), len(samples))
-    samples = [
-        values | {time: sp.sympify(instant)}
-        for instant, values, _ in zip(
-            itertools.cycle(times), itertools.cycle(samples), range(count)
-        )
-    ]
+    count = range(max(len(times), len(samples)))
+    pairs = zip(itertools.cycle(times), itertools.cycle(samples), count)
+    samples = [values | {time: sp.sympify(instant)} for instant, values, _ in pairs]
     return samples, sp.And(conjunction(given), time_range)
 
 
@@ -173,11 +159,8 @@ def covariance_at_time(values, process, time, times=None):
     model = processes.at_values(process, values)
     F, N = processes.transition(model, values[time])
     # At the initial time too, terms may cancel that are as large as this covariance soon is.
-    early_covariance = (
-        N
-        if values[time]
-        else processes.transition(model, STEPS[1] if model.discrete else TIMES[1])[1]
-    )
+    early = values[time] or (STEPS if model.discrete else TIMES)[1]
+    early_covariance = processes.transition(model, early)[1]
     size = abs(F) @ abs(model.covariance) @ abs(F).T + abs(early_covariance)
     return Truth(F @ model.covariance @ F.T + N, size.max())
 
@@ -202,15 +185,8 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
     """
     rows = processes.to_array(of, {})
     correlations = []
-    samples, domain = _at_times(
-        {
-            "process": process,
-            "time": time,
-            "parameters": parameters,
-            "given": given,
-            "times": times or TIMES[1:],
-        }
-    )
+    data = {"process": process, "time": time, "parameters": parameters, "given": given}
+    samples, domain = _at_times(data | {"times": times or TIMES[1:]})
     for values in in_every_case(samples, claim, domain):
         model = processes.at_values(process, values)
         covariance = rows @ processes.moments(model, values[time])[1] @ rows.T
@@ -218,15 +194,10 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
             (covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values)
         )
     constant = np.ptp([true for true, _ in correlations]) < 1e-9
+    quotient = "the covariance divided by the product of the standard deviations"
     for true, values in correlations:
-        yield SameValue(
-            claim,
-            true,
-            "the covariance divided by the product of the standard deviations",
-            values,
-            constant=constant,
-        )
-    return "it is the covariance divided by the product of the standard deviations"
+        yield SameValue(claim, true, quotient, values, constant=constant)
+    return f"it is {quotient}"
 
 
 @judged(Expressions("parameters", length=3), process="Coloured")
@@ -252,18 +223,10 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
         D, a = (
             float(expression.subs(values)) for expression in processes.variance_and_rate(process)
         )
-        for claim, true, quantity in zip(
-            claims,
-            (-a, 2 * a * D, D),
-            ("the coefficient", "the intensity", "the initial variance"),
-        ):
-            yield SameValue(
-                claim,
-                true,
-                f"{quantity} of the equation that keeps the given correlation",
-                values,
-                max(a, a * D, D),
-            )
+        names = "coefficient", "intensity", "initial variance"
+        for claim, true, name in zip(claims, (-a, 2 * a * D, D), names):
+            quantity = f"the {name} of the equation that keeps the given correlation"
+            yield SameValue(claim, true, quantity, values, max(a, a * D, D))
     return "what it makes has the given correlation at all times"
 
 
@@ -360,16 +323,11 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
 
     def message(values):
         modes = np.linalg.eigvals(processes.to_array(process.A, values))
-        if process.discrete:
-            return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
-        return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
+        kind, sizes = ("modulus", abs(modes)) if process.discrete else ("real part", modes.real)
+        return f"the largest {kind} of an eigenvalue is {sizes.max():.4g} there"
 
-    agreement = compare(
-        answer,
-        parameters,
-        exactly(decays(process.A, process.discrete), given),
-        contradiction_message(message),
-    )
+    reference = exactly(decays(process.A, process.discrete), given)
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"there and nowhere else all initial covariances lead to the same limit: {agreement}"
 
 
@@ -396,10 +354,9 @@ def covariance_increases(answer, process, parameters, given=sp.true):
     process = processes.as_process(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
     rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
-    minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
-    increases = sp.And(
-        *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
-    )
+    minors = (sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1))
+    invertible = sp.Ne(A.det(), 0) if process.discrete else sp.true
+    increases = sp.And(*(minor > 0 for minor in minors), invertible)
 
     def message(values):
         rate_there = sp.Matrix(rate.subs(values))
@@ -407,7 +364,6 @@ def covariance_increases(answer, process, parameters, given=sp.true):
             return f"at the beginning the variance changes at the rate {number_text(complex(rate_there[0]))}"
         return f"there the variances change at the rates {', '.join(map(str, rate_there.diagonal()))} at the beginning"
 
-    agreement = compare(
-        answer, parameters, exactly(increases, conjunction(given)), contradiction_message(message)
-    )
+    reference = exactly(increases, conjunction(given))
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"it rises there and nowhere else: {agreement}"

@@ -7,6 +7,8 @@ For such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, 
 any values at one time. The form is right if these satisfy the equation and give z, and if x, x', ...,
 x^(n-1) determine y: then the equation and the form have the same motions. A form with the right transfer
 function alone need not have all of them.
+
+No check here is declared by a reference: any state-space form is right.
 """
 
 import numpy as np
@@ -122,15 +124,9 @@ def _comparisons(form, equation):
 
     def motions(A, B, C):
         """Return the matrices whose row k gives x^(k) as a combination of y, and of u, u', ..."""
-        on_state = [C]
-        while len(on_state) <= n:
-            on_state.append(on_state[-1] @ A)
-        return np.vstack(on_state), np.array(
-            [
-                [(on_state[k - 1 - j] @ B)[0, 0] if j < k else 0.0 for j in range(n)]
-                for k in range(n + 1)
-            ]
-        )
+        on_state = np.vstack([C @ np.linalg.matrix_power(A, k) for k in range(n + 1)])
+        responses = [*(on_state @ B)[::-1, 0], *[0.0] * n]
+        return on_state, np.array([responses[n + 1 - k : 2 * n + 1 - k] for k in range(n + 1)])
 
     def sides(A, B, C, H):
         on_state, on_control = motions(A, B, C)
@@ -139,21 +135,16 @@ def _comparisons(form, equation):
     on_state, on_control = motions(A, B, C)
     coefficients = left @ on_state, left @ on_control, measured @ on_state
     sizes = (
-        abs(left) @ abs(on_state),
-        abs(left) @ abs(on_control),
-        abs(measured) @ abs(on_state) + abs(H[0]),
+        max(abs(left) @ abs(on_state)),
+        max(abs(left) @ abs(on_control)) + max(abs(right)),
+        max(abs(measured) @ abs(on_state) + abs(H[0])),
     )
-    side_values = sides(A, B, C, H)
-    perturbed_values = [
-        sides(*matrices)
-        for matrices in perturbed_arrays(
-            (A, B, C, H), [entry_uncertainties(part, {}) for part in form]
-        )
-    ]
+    exact = sides(A, B, C, H)
+    uncertainties = [entry_uncertainties(part, {}) for part in form]
+    perturbed = [sides(*parts) for parts in perturbed_arrays((A, B, C, H), uncertainties)]
     allowed = [
-        EXACT * (max(size) + extra)
-        + sum(abs(perturbed[k] - side_values[k]) for perturbed in perturbed_values)
-        for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))
+        EXACT * size + sum(abs(changed[k] - exact[k]) for changed in perturbed)
+        for k, size in enumerate(sizes)
     ]
     yield SameSides(
         coefficients[0],
@@ -161,8 +152,8 @@ def _comparisons(form, equation):
         allowed[0],
         lambda point: (
             f"the motion of your form without control from y{point[0] + 1} = 1, the others zero, "
-            "does not satisfy the "
-            f"equation: at t = 0 its left-hand side is {number_text(coefficients[0][point])}"
+            "does not satisfy the equation: at t = 0 its left-hand side is "
+            f"{number_text(coefficients[0][point])}"
         ),
         1,
     )

@@ -6,6 +6,8 @@ What is required is data: a characteristic polynomial, whose coefficients may be
 degree of stability mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
 parameters that their assumptions allow. Any gain that meets it is right. An empty list says that
 there is none, which is judged by the modes that no gain changes.
+
+No check here is declared by a reference: any gain that meets the requirement is right.
 """
 
 from dataclasses import dataclass
@@ -23,7 +25,7 @@ from workbook.checks.references.records import augmented, controlled_pair, obser
 from workbook.checks.references.spectra import Spectrum
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
 from workbook.checks.tools.samples import conjunction, general_values, in_every_case
-from workbook.checks.tools.values import entry_uncertainties, matrix_at
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text, where_text
 from workbook.systems import Linear, Scalar
 
@@ -41,14 +43,9 @@ class Gains(Claim):
     def read(self, answer, data):
         if is_empty_list(answer):
             return None
-        pair = Parts(
-            *(
-                MatrixOrVector(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
-                for k in range(2)
-            ),
-            expected="a list of two matrices, [K, L], or an empty list",
-        )
-        return pair.read(answer, data)
+        gains = (MatrixOrVector(*self.names, shape=shape) for shape in self.form["shapes"](data))
+        expected = "a list of two matrices, [K, L], or an empty list"
+        return Parts(*gains, expected=expected).read(answer, data)
 
 
 @dataclass(frozen=True)
@@ -71,11 +68,8 @@ class Requirement:
         (parameter_values, *_) = self.samples()
         for (values, _), fixed in zip(pair.samples, fixed_eigenvalues(pair)):
             coefficients = self._coefficients(parameter_values | values)
-            if any(
-                abs(np.polyval(coefficients, root))
-                > 1e-7 * np.polyval(abs(coefficients), abs(root))
-                for root in fixed
-            ):
+            sizes = np.polyval(abs(coefficients), abs(fixed))
+            if (abs(np.polyval(coefficients, fixed)) > 1e-7 * sizes).any():
                 return True
         return False
 
@@ -100,30 +94,27 @@ class Requirement:
         return [values for values in general_values(self.parameters) if self._admits(values)]
 
     def _coefficients(self, values):
-        poly = sp.Poly(self.polynomial, self.symbol)
-        return np.array([complex(c.subs(values)) for c in poly.all_coeffs()]) / complex(
-            poly.LC().subs(values)
-        )
+        coefficients = sp.Poly(self.polynomial, self.symbol).all_coeffs()
+        numbers = np.array([complex(c.subs(values)) for c in coefficients])
+        return numbers / numbers[0]
 
     def _judge_polynomial(self, loop, gain, matrix_name, answer_name, values):
-        def coefficients(matrix):
-            closed = loop(sp.Matrix(matrix))
-            return np.poly(np.array(closed.subs(values).evalf(30).tolist(), dtype=complex))
+        def closed(matrix):
+            return np.array(loop(matrix).subs(values).evalf(30).tolist(), dtype=complex)
+
+        def coefficients(numbers):
+            return np.poly(closed(sp.Matrix(numbers)))
 
         numbers = matrix_at(gain, values)
         claimed, true = coefficients(numbers), self._coefficients(values)
         if len(claimed) != len(true):
             raise RuntimeError("the required polynomial has not the order of the loop")
-        size = (
-            np.linalg.norm(np.array(loop(gain).subs(values).evalf(30).tolist(), dtype=complex)) + 1
-        )
+        size = np.linalg.norm(closed(gain)) + 1
         allowed = EXACT * np.maximum(abs(true), size ** np.arange(len(true)))
         if in_decimals(gain):
             # Every coefficient is linear in each entry, so this bounds the effect of its last digit.
             uncertainty = entry_uncertainties(gain, values)
-            for k in np.ndindex(numbers.shape):
-                perturbed = numbers.copy()
-                perturbed[k] += uncertainty[k]
+            for (perturbed,) in perturbed_arrays((numbers,), [uncertainty]):
                 allowed = allowed + abs(coefficients(perturbed) - claimed)
         wrong = ~(abs(claimed - true) <= allowed)
         if wrong.any():
@@ -154,36 +145,28 @@ class Requirement:
                 f"{spectrum.describe(values)}"
             )
 
-        if self.parameters:
-            # A pole of an entry may cancel in the characteristic polynomial.
-            poles = sp.Or(
-                *(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain))
-            )
-            compare(
-                sp.true, self.parameters, exactly(sp.Not(poles), conjunction(self.given)), message
-            )
-            inside, outside = (
-                Case(sp.And(conjunction(self.given), case.condition), case.unknowns, case.every)
-                for case, _ in spectrum.stability.cases
-            )
-            reference = ReferenceCondition(
-                (inside,),
-                (outside,),
-                lambda values: (
-                    not undefined(values) and spectrum.is_stable(values)
-                    if self._admits(values)
-                    else None
-                ),
-            )
-            return (
-                f"all eigenvalues of {matrix_name} lie where they have to: "
-                f"{compare(sp.true, self.parameters, reference, message)}"
-            )
-        if not _largest_real_part(matrix) <= (
-            slack - self.degree + EXACT if self.degree else -EXACT
-        ):
-            raise Wrong(message({}, False))
-        return f"all eigenvalues of {matrix_name} lie where they have to"
+        right = f"all eigenvalues of {matrix_name} lie where they have to"
+        if not self.parameters:
+            border = slack - self.degree + EXACT if self.degree else -EXACT
+            if not _largest_real_part(matrix) <= border:
+                raise Wrong(message({}, False))
+            return right
+        given = conjunction(self.given)
+        # A pole of an entry may cancel in the characteristic polynomial.
+        denominators = (sp.fraction(sp.together(entry))[1] for entry in in_fractions(gain))
+        defined = sp.And(*(sp.Ne(denominator, 0) for denominator in denominators))
+        compare(sp.true, self.parameters, exactly(defined, given), message)
+        inside, outside = (
+            Case(sp.And(given, case.condition), case.unknowns, case.every)
+            for case, _ in spectrum.stability.cases
+        )
+
+        def stable(values):
+            if self._admits(values):
+                return not undefined(values) and spectrum.is_stable(values)
+
+        reference = ReferenceCondition((inside,), (outside,), stable)
+        return f"{right}: {compare(sp.true, self.parameters, reference, message)}"
 
     def _slack(self, loop, gain):
         """Return how far the rounding of the entries of a gain may shift the spectrum."""
@@ -244,10 +227,6 @@ def _judge(gain, loop, matrix_name, requirement, pair):
 def _observer_shape(data):
     extended = augmented(data["system"])
     return extended.A.rows, extended.H.rows
-
-
-def _state_feedback_shape(data):
-    return data["system"].B.cols, data["system"].A.rows
 
 
 def _feedback_shape(data):
@@ -353,7 +332,7 @@ def _judge_none_static(system, requirement):
 
 
 @judged(
-    Gains("parameters", shapes=lambda data: [_state_feedback_shape(data), _observer_shape(data)]),
+    Gains("parameters", shapes=lambda data: [data["system"].B.T.shape, _observer_shape(data)]),
     system="Linear or WithError with controls and outputs",
 )
 def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=0):
@@ -376,10 +355,7 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=
     'wrong'
     """
     requirement = Requirement(tuple(parameters), given, degree)
-    parts = [
-        _state_loop(system, parameters, requirement),
-        _error_loop(system, parameters, requirement),
-    ]
+    parts = [part(system, parameters, requirement) for part in (_state_loop, _error_loop)]
     if gains is None:
         if not any(requirement.impossible(pair) for *_, pair in parts):
             raise Wrong("there are such gains: the modes that no gain changes allow it")
@@ -391,22 +367,16 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, degree=
 def _state_loop(system, parameters, requirement):
     """Return the arguments of `_judge` for feedback of the whole state."""
     system = Linear(system.A, system.B)
-    return (
-        *loop_of(system),
-        requirement,
-        controlled_pair(system, _system_parameters(parameters, system.A, system.B)),
-    )
+    pair = controlled_pair(system, _system_parameters(parameters, system.A, system.B))
+    return *loop_of(system), requirement, pair
 
 
 def _error_loop(system, parameters, requirement):
     """Return the arguments of `_judge` for the errors of an observer."""
     extended = augmented(system)
     system = Linear(extended.A, H=extended.H)
-    return (
-        *loop_of(system),
-        requirement,
-        observed_pair(system, _system_parameters(parameters, system.A, system.H)),
-    )
+    pair = observed_pair(system, _system_parameters(parameters, system.A, system.H))
+    return *loop_of(system), requirement, pair
 
 
 def _system_parameters(parameters, *matrices):

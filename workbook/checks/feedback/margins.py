@@ -1,13 +1,15 @@
 """Stabilising gains: their region, the degrees of stability that can be attained, and obstacles.
 
 A degree of stability mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
+
+No check here is declared by a reference: conditions are decided for all parameters.
 """
 
 import sympy as sp
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Expression, Expressions, Table
 from workbook.checks.contract.tolerance import EXACT
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import loop_of
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import (
@@ -87,12 +89,11 @@ def possible_degrees(answer, system, mu, parameters=()):
     if isinstance(system, Scalar):
         device, reference = "feedback by an estimate", up_to(mu, common_degree(system))
     elif not parameters:
-        device = (
-            "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
-        )
-        pairs = ([controlled_pair(system)] if system.B else []) + (
-            [observed_pair(augmented(system))] if system.H else []
-        )
+        device = "observer"
+        if system.B:
+            device = "feedback by an estimate" if system.H else "feedback"
+        pairs = [controlled_pair(system)] if system.B else []
+        pairs += [observed_pair(augmented(system))] if system.H else []
         reference = up_to(mu, *map(greatest_degree, pairs))
     else:
         device, observed = (
@@ -110,18 +111,25 @@ def up_to(mu, *greatest):
 
 def compare_degrees(answer, symbols, reference, device):
     def message(values, holds):
-        if holds:
-            return (
-                f"your condition does not hold for {values_text(values)}, yet some {device} has "
-                "this degree of stability"
-            )
-        return f"your condition holds for {values_text(values)}, yet no {device} has this degree of stability"
+        verb, some = ("does not hold", "some") if holds else ("holds", "no")
+        return (
+            f"your condition {verb} for {values_text(values)}, yet {some} {device} has this degree "
+            "of stability"
+        )
 
-    return f"these are the degrees of stability that some {device} has: {compare(answer, symbols, reference, message)}"
+    agreement = compare(answer, symbols, reference, message)
+    return f"these are the degrees of stability that some {device} has: {agreement}"
 
 
-@judged(system="Linear with outputs")
-def undetectable_mode(answer, system, parameters=()):
+@judged(
+    Table(
+        Expression("parameters"),
+        Expressions("parameters", length="system.A"),
+        "a dictionary {lambda: v}, an empty one if nothing stands in the way",
+    ),
+    system="Linear with outputs",
+)
+def undetectable_mode(claim, system, parameters=()):
     """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none.
 
     It satisfies A v = lambda v, H v = 0, Re lambda >= 0.
@@ -139,18 +147,8 @@ def undetectable_mode(answer, system, parameters=()):
     >>> checks.undetectable_mode({}, pair).status
     'wrong'
     """
-    if not isinstance(answer, dict):
-        raise Invalid(
-            "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
-        )
     A, H, pair = system.A, system.H, observed_pair(system, parameters)
-    claims = {
-        coercion.as_expression(value, parameters): sp.Matrix(
-            coercion.as_expressions(vector, parameters, A.rows)
-        )
-        for value, vector in answer.items()
-    }
-    if not claims:
+    if not claim:
         if slower_than(0, pair):
             raise Wrong("there is a mode that does not decay and that no gain changes")
         return "every mode that no gain changes decays"
@@ -162,16 +160,11 @@ def undetectable_mode(answer, system, parameters=()):
         and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo)
     ):
         points.append(zero)
-    for value, vector in claims.items():
+    for value, vector in ((value, sp.Matrix(entries)) for value, entries in claim):
         for values in in_every_case(points, [value, vector]):
             _judge_mode(value, vector, A, H, values, where_text(values))
-        judge_everywhere(
-            vector,
-            parameters,
-            lambda: sp.true,
-            "your vector v is undefined",
-            "your vector v is zero",
-        )
+        undefined, zero_vector = "your vector v is undefined", "your vector v is zero"
+        judge_everywhere(vector, parameters, lambda: sp.true, undefined, zero_vector)
     return "it is a mode that does not decay, and no gain changes it: A v = lambda v"
 
 
@@ -184,19 +177,15 @@ def _judge_mode(value, vector, A, H, values, where):
     ((root_uncertainty,),) = entry_uncertainties(sp.Matrix([value]), values)
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()
-    residual_uncertainty = (
-        abs(matrix) @ vector_uncertainty
-        + abs(root) * vector_uncertainty
-        + root_uncertainty * abs(column)
-    )
-    if not (abs(image - root * column) <= EXACT * size + residual_uncertainty).all():
+    uncertainty = abs(matrix) @ vector_uncertainty + abs(root) * vector_uncertainty
+    uncertainty = uncertainty + root_uncertainty * abs(column)
+    if not (abs(image - root * column) <= EXACT * size + uncertainty).all():
         raise Wrong(f"v and lambda = {number_text(root)} do not satisfy A v = lambda v{where}")
-    output_size = abs(output) @ abs(column)
-    if not (abs(output @ column) <= EXACT * output_size + abs(output) @ vector_uncertainty).all():
-        k = int(abs(output @ column).argmax())
+    shown, allowed = output @ column, abs(output) @ (EXACT * abs(column) + vector_uncertainty)
+    if not (abs(shown) <= allowed).all():
         raise Wrong(
             "the mode is not unobservable: H v has the component "
-            f"{number_text((output @ column)[k, 0])}{where}, not 0"
+            f"{number_text(shown[abs(shown).argmax(), 0])}{where}, not 0"
         )
     if not root.real > -ON_BORDER:
         raise Wrong(

@@ -28,15 +28,7 @@ ROUNDED = 1e-9
 PARTS = (0, 0.2, 0.5, 0.8, 0.95, 1)
 
 
-def _gain_shape(data):
-    return data["problem"].B.cols, data["problem"].A.rows
-
-
-def _square(data):
-    return data["problem"].A.shape
-
-
-@judged(Gain("time", "parameters", shape=_gain_shape))
+@judged(Gain("time", "parameters", shape=lambda data: data["problem"].B.T.shape))
 def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
     """Check the gain K of the law u = Kx of least cost.
 
@@ -66,15 +58,16 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
         )
     for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
         if np.isfinite(regulator.duration) or regulator.anywhere:
-            true, message = regulator.gain_for(regulator.least(instant)), _control_message
+            true = regulator.gain_for(regulator.least(instant))
         else:
-            true, message = _improved_gain(claim, regulator, values)
-        yield SameEntries(claim, true, message(values), values, abs(true).max())
+            true = _improved_gain(claim, regulator, values)
+        message = _gain_message(regulator, where_text(values))
+        yield SameEntries(claim, true, message, values, abs(true).max())
     return "every state is led at the least cost"
 
 
 def _improved_gain(claim, regulator, values):
-    """Return the best gain at present if the claimed one is used later, and a message builder."""
+    """Return the best gain at present if the claimed one is used later."""
     claimed = matrix_at(claim, values)
     if claimed.imag.any():
         raise Wrong(f"your gain is not real{where_text(values)}")
@@ -88,28 +81,27 @@ def _improved_gain(claim, regulator, values):
             f"eigenvalue {number_text(roots[np.argmax(roots.real)])}"
         ) from None
 
-    def message(values):
-        # Without the cost: close to the best gain it would show the least cost.
-        return lambda *_: (
-            f"under your law every state comes to zero{where_text(values)}, but there is a gain with "
-            "which it costs less from some state, and more from none"
-        )
-
-    return regulator.gain_for(cost), message
+    return regulator.gain_for(cost)
 
 
-def _control_message(values):
+def _gain_message(regulator, where):
     def message(claimed, i, j):
+        if np.isfinite(regulator.duration) or regulator.anywhere:
+            return (
+                f"with your gain the cost from some states is greater than the least one{where}: "
+                f"look at the entry ({i + 1}, {j + 1}) of K, where yours is "
+                f"{number_text(claimed[i, j])}"
+            )
+        # Without the cost: close to the best gain it would show the least cost.
         return (
-            "with your gain the cost from some states is greater than the least "
-            f"one{where_text(values)}: look at the "
-            f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(claimed[i, j])}"
+            f"under your law every state comes to zero{where}, but there is a gain with which it "
+            "costs less from some state, and more from none"
         )
 
     return message
 
 
-@judged(Matrix("time", "parameters", shape=_square))
+@judged(Matrix("time", "parameters", shape="problem.A"))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """Check the matrix S of the least cost from x, factor x^T S x.
 
@@ -141,7 +133,8 @@ def _cost_message(regulator, values):
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{point}, and that of a cost is"
-        rate, size = sum(regulator.rates(S)), sum(map(abs, regulator.rates(S))).max()
+        rates = regulator.rates(S)
+        rate, size = sum(rates), sum(map(abs, rates)).max()
         if not abs(rate).max() <= ROUNDED * size:
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
             return (
@@ -212,8 +205,7 @@ def optimal_eigenvalues(values, problem):
     >>> checks.optimal_eigenvalues([-2], problem).status, checks.optimal_eigenvalues([2], problem).status
     ('right', 'wrong')
     """
-    regulator = regulators.Regulator(problem, values)
-    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    loop = regulators.Regulator(problem, values).loop()
     return Truth(np.linalg.eigvals(loop), np.linalg.norm(loop))
 
 
@@ -246,8 +238,7 @@ def optimal_limit_state(values, problem, start):
     """
     from scipy.linalg import null_space
 
-    regulator = regulators.Regulator(problem, values)
-    loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+    loop = regulators.Regulator(problem, values).loop()
     # The limit lies in the right kernel of the loop; the left kernel gives the invariants.
     right_kernel, left_kernel = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
     initial = np.array([[float(values[s])] for s in start])
@@ -255,7 +246,7 @@ def optimal_limit_state(values, problem, start):
     return Truth(limit, abs(initial).max())
 
 
-@judged(Matrix("cost", "parameters", shape=_square))
+@judged(Matrix("cost", "parameters", shape="problem.A"))
 def cost_riccati_equation(claim, problem, cost, parameters=()):
     """Check the right-hand side of the Riccati equation S' = ... of the cost.
 
@@ -283,25 +274,16 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     for values in in_every_case(samples, claim):
         regulator, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = regulator.rates(S)
-        yield SameEntries(
-            claim,
-            sum(terms),
-            lambda claimed, i, j: (
-                f"your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; it "
-                "is not that of the Riccati equation of the cost: "
-                + wrong_degree_text(
-                    claim,
-                    values,
-                    sorted(cost.free_symbols, key=str),
-                    terms[2],
-                    terms[0] + terms[1],
-                    sum(map(abs, terms)),
-                    "S",
-                )
-            ),
-            values,
-            sum(map(abs, terms)),
-        )
+        size = sum(map(abs, terms))
+
+        def message(claimed, i, j):
+            return (
+                f"your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; "
+                "it is not that of the Riccati equation of the cost: "
+                + wrong_degree_text(claim, values, cost, terms, size, "S")
+            )
+
+        yield SameEntries(claim, sum(terms), message, values, size)
     return "the remaining cost changes at this rate along the best motion"
 
 
@@ -363,6 +345,19 @@ def controller_equations(values, problem, process, estimates, outputs):
 
     They are a column in the symbols of the estimates e and of the outputs z, the control u = Ke
     inserted.
+
+    Can decide when the steady filter and the law of least cost exist, at sample values of the
+    estimates, the outputs and the parameters.
+
+    Examples
+    --------
+    >>> from workbook.systems import Process, Quadratic
+    >>> e, z = sp.symbols("e z")
+    >>> data = Quadratic(A=1, B=1, G=3, N=1), Process(A=1, Q=3, H=1, R=1), [e], [z]
+    >>> checks.controller_equations(3*z - 5*e, *data).status
+    'right'
+    >>> checks.controller_equations(3*z - 2*e, *data).status
+    'wrong'
     """
     regulator = regulators.Regulator(problem, values)
     model = processes.at_values(process, values, start=False)

@@ -7,6 +7,8 @@ process by the estimate of its steady filter. It has to be asymptotically stable
 A message names no frequency at which a margin is attained, since the margin follows from it. Of a
 margin that is too large it names the frequency of a motion that grows within it, of a disk one at which
 the curve is nearer.
+
+No check here is declared by a reference: a margin may be infinite.
 """
 
 import cmath
@@ -19,7 +21,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Parts
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.references.loop_functions import loop_at
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.substitution import evaluated
@@ -131,11 +133,37 @@ def gain_margins(claims, loop, K=None, L=None, process=None, parameters=(), give
     return "for these factors the loop is asymptotically stable, and at the ends it is not"
 
 
-@judged(Expression("parameters"))
-def phase_margin(claim, loop, K=None, L=None, process=None, parameters=(), given=sp.true):
-    """Check the smallest phase shift, in radians, with which the loop is not asymptotically stable.
+def _within_phase(numbers, shift):
+    shifts = (min(shift, math.pi) * share for share in SHARES)
+    return _growing_text(numbers.rightmost(cmath.exp(-1j * angle)) for angle in shifts)
 
-    It shifts the phase of L at all frequencies alike, to either side; oo if none does.
+
+def _within_delay(numbers, delay):
+    return _growing_text(numbers.roots_with_delay(delay))
+
+
+def _within_disk(numbers, distance):
+    nearer = numbers.frequency_within(distance)
+    return f": at the frequency {nearer:.4g} the curve is nearer to -1" if nearer else ""
+
+
+#: {kind of margin: the sentence on a right one, the text on what fails within one that is too large}.
+MARGINS = {
+    "phase": ("with no smaller shift of the phase the loop loses its stability", _within_phase),
+    "delay": ("with no shorter delay the loop loses its stability", _within_delay),
+    "disk": ("the Nyquist curve comes to this distance from -1, and not closer", _within_disk),
+}
+
+
+@judged(Expression("parameters"))
+def loop_margin(
+    claim, loop, K=None, L=None, process=None, parameters=(), given=sp.true, kind="phase"
+):
+    """Check the phase, delay or disk margin of a loop, as the `kind` says.
+
+    The phase margin is the smallest phase shift, in radians and to either side, with which the loop is
+    not asymptotically stable; the delay margin the smallest such delay of the control. Both are oo if
+    there is none. The disk margin is the distance min |1 + L(i omega)| of the Nyquist curve from -1.
 
     Can decide when the loop is a rational function with numbers, or at sample values of its
     parameters.
@@ -143,67 +171,20 @@ def phase_margin(claim, loop, K=None, L=None, process=None, parameters=(), given
     Examples
     --------
     >>> s = sp.Symbol("s")
-    >>> checks.phase_margin(sp.oo, 1/(2*s + 2)).status
+    >>> checks.loop_margin(sp.oo, 1/(2*s + 2)).status, checks.loop_margin(1, 1/(2*s + 2)).status
+    ('right', 'wrong')
+    >>> checks.loop_margin(sp.pi/2, 1/s, kind="delay").status
     'right'
-    >>> checks.phase_margin(1, 1/(2*s + 2)).status
-    'wrong'
+    >>> checks.loop_margin(1, 1/s, kind="disk").status, checks.loop_margin(2, 1/s, kind="disk").status
+    ('right', 'wrong')
     """
+    if kind not in MARGINS:
+        raise UnsuitableData(f"kind: expected one of {', '.join(MARGINS)}")
+    right, failing_within = MARGINS[kind]
     for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
 
-        def failure(shift):
-            shifts = (min(shift, math.pi) * share for share in SHARES)
-            return _growing_text(numbers.rightmost(cmath.exp(-1j * shift)) for shift in shifts)
+        def failure(claimed):
+            return failing_within(numbers, claimed)
 
-        yield SameMargin(claim, numbers.phase, "the phase margin", values, failure)
-    return "with no smaller shift of the phase the loop loses its stability"
-
-
-@judged(Expression("parameters"))
-def delay_margin(claim, loop, K=None, L=None, process=None, parameters=(), given=sp.true):
-    """Check the smallest delay of the control with which the loop is not asymptotically stable.
-
-    It is oo if there is none.
-
-    Can decide when the loop is a rational function with numbers, or at sample values of its
-    parameters.
-
-    Examples
-    --------
-    >>> s = sp.Symbol("s")
-    >>> checks.delay_margin(sp.pi/2, 1/s).status
-    'right'
-    >>> checks.delay_margin(1, 1/s).status
-    'wrong'
-    """
-    for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
-
-        def failure(delay):
-            return _growing_text(numbers.roots_with_delay(delay))
-
-        yield SameMargin(claim, numbers.delay, "the delay margin", values, failure)
-    return "with no shorter delay the loop loses its stability"
-
-
-@judged(Expression("parameters"))
-def disk_margin(claim, loop, K=None, L=None, process=None, parameters=(), given=sp.true):
-    """Check the disk margin, the distance min |1 + L(i omega)| of the Nyquist curve from -1.
-
-    Can decide when the loop is a rational function with numbers, or at sample values of its
-    parameters.
-
-    Examples
-    --------
-    >>> s = sp.Symbol("s")
-    >>> checks.disk_margin(1, 1/s).status
-    'right'
-    >>> checks.disk_margin(2, 1/s).status
-    'wrong'
-    """
-    for values, numbers in _loops(claim, loop, K, L, process, parameters, given):
-
-        def failure(distance):
-            nearer = numbers.frequency_within(distance)
-            return f": at the frequency {nearer:.4g} the curve is nearer to -1" if nearer else ""
-
-        yield SameMargin(claim, numbers.disk, "the disk margin", values, failure)
-    return "the Nyquist curve comes to this distance from -1, and not closer"
+        yield SameMargin(claim, getattr(numbers, kind), f"the {kind} margin", values, failure)
+    return right

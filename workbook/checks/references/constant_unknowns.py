@@ -6,12 +6,11 @@ of denominators and roots, which does not change its kernel.
 """
 
 import functools
-import itertools
 
 import sympy as sp
 
+from workbook.checks.references.invariant_subspaces import maximal_minors
 from workbook.checks.references.pairs import Pair
-from workbook.checks.tools.conditions import Case
 
 
 @functools.lru_cache(maxsize=32)
@@ -32,26 +31,13 @@ class _Constants(Pair):
 
     @functools.cached_property
     def _observability_cases(self):
-        return Case(sp.And(self._defined, sp.Not(self._rank_deficient))), Case(
-            sp.And(self._defined, self._rank_deficient)
-        )
-
-    @functools.cached_property
-    def _rank_deficient(self):
-        minors = {
-            sp.factor(
-                self._rows.extract(list(rows), list(range(self.order))).det(method="berkowitz")
-            )
-            for rows in itertools.combinations(range(self.outputs), self.order)
-        }
-        return sp.And(*(sp.Eq(_squarefree(minor), 0) for minor in minors))
+        minors = set(map(sp.factor, maximal_minors(self._rows)))
+        return self._cases_where(sp.And(*(sp.Eq(_squarefree(minor), 0) for minor in minors)))
 
 
 def _squarefree(product):
     """Return the product of the distinct factors."""
-    return (
-        sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product != 0 else product
-    )
+    return sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product else product
 
 
 def _cleared(row):

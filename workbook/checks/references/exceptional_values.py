@@ -10,6 +10,7 @@ import mpmath
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
+from workbook.checks.references.invariant_subspaces import maximal_minors
 from workbook.checks.tools.conditions import compare, decide, exactly
 from workbook.checks.tools.wording import values_text
 
@@ -44,15 +45,10 @@ def judge_everywhere(matrix, parameters, domain, undefined, dependent=None):
             else entry
         )
     )
-    conditions, vanishing = (
-        {undefined: sp.And(*(sp.Ne(part, 0) for part in denominators))},
-        [(undefined, sp.Mul(*set(denominators)))],
-    )
+    conditions = {undefined: sp.And(*(sp.Ne(part, 0) for part in denominators))}
+    vanishing = [(undefined, sp.Mul(*set(denominators)))]
     if dependent:
-        minors = [
-            matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
-            for rows in itertools.combinations(range(matrix.rows), matrix.cols)
-        ]
+        minors = list(maximal_minors(matrix))
         if not matrix.has(*_JUMPING):
             shared = set.intersection(
                 *(set(sp.Mul.make_args(sp.factor(minor))) for minor in minors if minor != 0)
@@ -77,6 +73,11 @@ def judge_everywhere(matrix, parameters, domain, undefined, dependent=None):
                     f"{failure} for {values_text(values)}, where the answer has to hold too"
                 ),
             )
+
+
+def judge_where_generic(matrix, pair, undefined, dependent=None):
+    """Raise `Wrong` if a matrix fails where no more states of a `Pair` are unobservable than in general."""
+    judge_everywhere(matrix, pair.parameters, lambda: pair.generic_condition, undefined, dependent)
 
 
 def judge_factors(expressions, variables, domain, failure):

@@ -5,7 +5,6 @@ of the uncontrollable part are the same for the transposed matrices.
 """
 
 import functools
-import itertools
 
 import numpy as np
 import sympy as sp
@@ -13,6 +12,8 @@ import sympy as sp
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
+    maximal_minors,
+    rank_falls,
     restricted,
 )
 from workbook.checks.references.pairs import pair_of
@@ -22,14 +23,19 @@ from workbook.checks.tools.conditions import Case, ReferenceCondition
 ON_BORDER = 1e-9
 
 
-def fixed_eigenvalues(pair):
-    """Return the different fixed eigenvalues at every one of `pair.samples`: a list of arrays."""
+def fixed_eigenvalues(pair, claim=()):
+    """Return the different fixed eigenvalues, an array at each of `pair.samples_for(claim)`."""
     return [
-        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
+        different_roots(_characteristic(pair, point, unobservable))
         if unobservable
         else np.array([])
-        for (_, point), unobservable in zip(pair.samples, pair.unobservable)
+        for _, point, unobservable in pair.samples_for(claim)
     ]
+
+
+def _characteristic(pair, point, unobservable):
+    """Return the coefficients of the characteristic polynomial of A on the unobservable states."""
+    return characteristic_coefficients(restricted(pair.at(point)[0], unobservable))
 
 
 def slower_than(degree, pair):
@@ -46,16 +52,12 @@ def greatest_degree(pair):
 
     The pair must not have parameters.
     """
-    (unobservable,) = pair.unobservable
+    ((_, point, unobservable),) = pair.samples_for(())
     if not unobservable:
         return None
-    ((_, point),) = pair.samples
-    coefficients = [
-        sp.Rational(c.numerator, c.denominator)
-        for c in characteristic_coefficients(restricted(pair.at(point)[0], unobservable))
-    ]
-    roots = sp.Poly(coefficients, sp.Dummy("s")).sqf_part().all_roots()
-    return -max((sp.re(root) for root in roots), key=float)
+    coefficients = map(sp.Rational, _characteristic(pair, point, unobservable))
+    roots = sp.Poly(list(coefficients), sp.Dummy("s")).sqf_part().all_roots()
+    return -max(map(sp.re, roots), key=float)
 
 
 def common_degree(equation):
@@ -80,16 +82,8 @@ def unobservable_eigenvalues_at(A, H, values):
     """
     s = sp.Dummy("s")
     pencil = (s * sp.eye(A.rows) - A).col_join(H).subs(values)
-    minors = (
-        sp.Poly(
-            pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz"),
-            s,
-            extension=True,
-        )
-        for rows in itertools.combinations(range(pencil.rows), A.rows)
-    )
-    common = functools.reduce(sp.gcd, minors)
-    return np.array(common.nroots(), dtype=complex)
+    minors = (sp.Poly(minor, s, extension=True) for minor in maximal_minors(pencil))
+    return np.array(functools.reduce(sp.gcd, minors).nroots(), dtype=complex)
 
 
 def degrees_with_parameters(A, H, mu, parameters):
@@ -99,14 +93,7 @@ def degrees_with_parameters(A, H, mu, parameters):
     which the columns of u + i w - A above H are dependent.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
-    pencil = ((u + sp.I * w) * sp.eye(A.rows) - A).col_join(H)
-    minors = (
-        pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
-        for rows in itertools.combinations(range(pencil.rows), A.rows)
-    )
-    dependent = sp.And(
-        *(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())
-    )
+    dependent = rank_falls(u + sp.I * w, A, H)
 
     def at(values):
         if all(value.is_Rational for value in values.values()):

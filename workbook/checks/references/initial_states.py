@@ -30,13 +30,7 @@ def initial_states_of(A, H, L, parameters=(), selected=None):
 
     `selected` are the indices of the unknowns whose observability is asked for, by default all.
     """
-    return _cached_initial_states(
-        sp.ImmutableMatrix(A),
-        sp.ImmutableMatrix(H),
-        sp.ImmutableMatrix(L),
-        tuple(parameters),
-        selected,
-    )
+    return _initial_states(*map(sp.ImmutableMatrix, (A, H, L)), tuple(parameters), selected)
 
 
 def initial_states_of_varying(A, H, time, parameters=()):
@@ -51,11 +45,6 @@ def initial_states_of_varying(A, H, time, parameters=()):
     return initial_states_of(
         matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters
     )
-
-
-@functools.lru_cache(maxsize=64)
-def _cached_initial_states(A, H, L, parameters, selected):
-    return InitialStates(A, H, L, parameters, selected)
 
 
 class InitialStates(Pair):
@@ -103,21 +92,17 @@ class InitialStates(Pair):
             *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)),
         )
         selected_nonzero = sp.Or(*(sp.Ne(u[i], 0) for i in self._selected))
-        return Case(
-            sp.And(self._defined, sp.Not(sp.And(unobservable, selected_nonzero))), u, every=True
-        ), Case(sp.And(unobservable, selected_nonzero), u)
+        fails = sp.And(unobservable, selected_nonzero)
+        return Case(sp.And(self._defined, sp.Not(fails)), u, every=True), Case(fails, u)
 
     def dimension_at(self, values):
         if self._selected is None or all(value.is_Rational for value in values.values()):
             return super().dimension_at(values)
         rows = self._rows_at(values)
         remaining = [i for i in range(self.unknowns) if i not in self._selected]
-        rank = int(np.linalg.matrix_rank(rows, tol=1e-9))
-        return (
-            len(self._selected)
-            - rank
-            + (int(np.linalg.matrix_rank(rows[:, remaining], tol=1e-9)) if remaining else 0)
-        )
+        ranks = (np.linalg.matrix_rank(part, tol=1e-9) for part in (rows[:, remaining], rows))
+        rank_of_remaining, rank = map(int, ranks)
+        return len(self._selected) + rank_of_remaining - rank
 
     def state_of(self, vector):
         return to_floats(self.starts, self.unknowns) @ vector
@@ -125,14 +110,11 @@ class InitialStates(Pair):
     def _derivative_rows(self):
         """Return the rows H L, H A L, ...: the derivatives of z at t = 0 as functions of u."""
         rows = super()._derivative_rows()
-        return rows * DomainMatrix(
-            [
-                [rows.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
-                for row in self.starts
-            ],
-            (self.order, self.unknowns),
-            rows.domain,
-        )
+        starts = [[rows.domain.from_sympy(sp.Rational(x)) for x in row] for row in self.starts]
+        return rows * DomainMatrix(starts, (self.order, self.unknowns), rows.domain)
+
+
+_initial_states = functools.lru_cache(maxsize=64)(InitialStates)
 
 
 def _fraction(entry):
@@ -154,12 +136,9 @@ def _functions(H, time):
             raise UnsuitableData(
                 "H(t) has to consist of sines, cosines, exponentials and powers of the time"
             )
-    rates = sp.Matrix(len(functions), len(functions), lambda i, j: slopes[i].get(functions[j], 0))
-    return (
-        functions,
-        rates,
-        [sp.Matrix(*H.shape, [part.get(f, 0) for part in parts]) for f in functions],
-    )
+    rates = sp.Matrix([[slope.get(f, 0) for f in functions] for slope in slopes])
+    rows = [sp.Matrix(*H.shape, [part.get(f, 0) for part in parts]) for f in functions]
+    return functions, rates, rows
 
 
 def _split(expression, time):

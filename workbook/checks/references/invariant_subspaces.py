@@ -5,6 +5,7 @@ is found by removing from ker H what A maps out of it, again and again, in exact
 fractions. The uncontrollable part is the same for the transposed matrices.
 """
 
+import itertools
 from fractions import Fraction
 
 import numpy as np
@@ -111,6 +112,28 @@ def different_roots(coefficients):
     for _ in range(3):
         roots = roots - np.polyval(simple, roots) / np.polyval(np.polyder(simple), roots)
     return roots
+
+
+def chain(first, matrix, count):
+    """Return [first, first * matrix, first * matrix^2, ...], so many matrices of SymPy."""
+    return list(itertools.accumulate([first, *[matrix] * (count - 1)], lambda rows, A: rows * A))
+
+
+def maximal_minors(matrix):
+    """Yield the minors of a matrix that have all its columns."""
+    for rows in itertools.combinations(range(matrix.rows), matrix.cols):
+        yield matrix.extract(list(rows), list(range(matrix.cols))).det(method="berkowitz")
+
+
+def rank_falls(s, A, H):
+    """Return the condition that the columns of s - A above H are dependent, for a complex s."""
+    minors = maximal_minors((s * sp.eye(A.rows) - A).col_join(H))
+    return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))
+
+
+def orthogonal_complement(rows):
+    """Return an orthonormal basis, in rows, of the orthogonal complement of independent rows."""
+    return np.linalg.svd(rows)[2][len(rows) :] if len(rows) else np.eye(rows.shape[1])
 
 
 def to_floats(rows, columns):

@@ -66,10 +66,8 @@ def loop_at(values, loop, K=None, L=None, process=None):
     closed = _polynomial(regulated)
     if L is not None:
         output = L * H.subs(values)
-        opened, closed = (
-            opened * _polynomial(regulated - output),
-            closed * _polynomial(plant.A - output),
-        )
+        opened *= _polynomial(regulated - output)
+        closed *= _polynomial(plant.A - output)
     return LoopFunction(_trimmed(closed - opened, opened), opened)
 
 
@@ -168,8 +166,7 @@ class LoopFunction:
     @cached_property
     def crossings(self):
         """Pairs (frequency, angle) where |L| = 1: clockwise by the angle, below 2 pi, L comes to -1."""
-        pairs = []
-        one = sp.Poly(1, _OMEGA)
+        pairs, one = [], sp.Poly(1, _OMEGA)
         for w in _frequencies(_difference(self._numerator, one, self._open, one)):
             in_phase, turned = (
                 float(part.eval(w) / self._open.eval(w)) for part in (self._in_phase, self._turned)

@@ -13,20 +13,14 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from workbook.checks.contract.verdict import UnsuitableData
-from workbook.checks.references.invariant_subspaces import to_floats, unobservable_subspace
+from workbook.checks.references.invariant_subspaces import chain, to_floats, unobservable_subspace
 from workbook.checks.tools.conditions import Case, ReferenceCondition, allowed
 from workbook.checks.tools.samples import cases, general_values, in_every_case
 
 
-@functools.lru_cache(maxsize=64)
-def cached_pair(A, H, parameters):
-    """Return the `Pair` of immutable matrices and a tuple of parameters, cached."""
-    return Pair(A, H, parameters)
-
-
 def pair_of(A, H, parameters=()):
     """Return the `Pair` of matrices as a data cell gives them."""
-    return cached_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
+    return _pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
 
 
 class Pair:
@@ -41,11 +35,10 @@ class Pair:
 
     def _quotient(self, entry):
         entry = sp.nsimplify(entry, rational=True) if entry.has(sp.Float) else sp.sympify(entry)
-        polys = [
+        return [
             sp.Poly(part, *(self.parameters or [sp.Dummy()]), domain="QQ")
             for part in sp.fraction(sp.together(entry))
         ]
-        return polys
 
     def at(self, point):
         """Return (A, H) as lists of rows at a point, or None where an entry is not defined."""
@@ -84,15 +77,10 @@ class Pair:
         if not cases(claim):
             return samples
         sampled_values = [values for values, _ in self.samples]
-        added = [
-            (values, point_of(values))
-            for values in in_every_case(sampled_values, claim, self.generic_condition)[
-                len(sampled_values) :
-            ]
-        ]
+        added = in_every_case(sampled_values, claim, self.generic_condition)[len(sampled_values) :]
         return samples + [
             (values, point, self.unobservable_at(point))
-            for values, point in added
+            for values, point in ((values, point_of(values)) for values in added)
             if self.at(point) is not None
         ]
 
@@ -170,8 +158,11 @@ class Pair:
     @functools.cached_property
     def _observability_cases(self):
         """The `Case` in which all unknowns are observable, and the one in which something is not."""
-        zero = sp.Eq(self._determinant.as_expr(), 0)
-        return Case(sp.And(self._defined, sp.Not(zero))), Case(sp.And(self._defined, zero))
+        return self._cases_where(sp.Eq(self._determinant.as_expr(), 0))
+
+    def _cases_where(self, unobservable):
+        """Return both cases of a condition on the parameters, where the matrices are defined."""
+        return [Case(sp.And(self._defined, part)) for part in (sp.Not(unobservable), unobservable)]
 
     def dimension_at(self, values):
         """Return the number of independent unobservable states at exact values of the parameters."""
@@ -186,10 +177,8 @@ class Pair:
     def _derivative_rows(self):
         """Return the Kalman matrix, of the derivatives of the output at t = 0, without denominators."""
         A, H = (self._cleared(quotients) for quotients in self._quotients)
-        rows = [H]
-        while len(rows) < self.order:
-            rows.append(rows[-1] * A)
-        return rows[0].vstack(*rows[1:])
+        first, *others = chain(H, A, self.order)
+        return first.vstack(*others)
 
     def _cleared(self, quotients):
         """Return the matrix times its common denominator, over the ring of polynomials."""
@@ -215,6 +204,9 @@ def special_values(polynomials, parameter):
     """Return the rational values of a parameter at which one of the polynomials vanishes."""
     roots = {root for poly in polynomials if not poly.is_ground for root in poly.ground_roots()}
     return sorted(root for root in roots if allowed(parameter, int(sp.sign(root))))
+
+
+_pair = functools.lru_cache(maxsize=64)(Pair)
 
 
 def _value(poly, point):

@@ -19,6 +19,7 @@ from workbook.checks.references.fixed_modes import (
     fixed_eigenvalues,
     unobservable_eigenvalues_at,
 )
+from workbook.checks.references.invariant_subspaces import rank_falls
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
@@ -47,13 +48,9 @@ def at_values(process, values, start=True):
 @functools.lru_cache(maxsize=256)
 def _arrays(process, values, start):
     """Return the arrays of a process at values; every claim about it is tried at the same ones."""
-    values = dict(values)
-    start = (
-        (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
-    )
-    return [
-        to_array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
-    ]
+    moments = [part if start else 0 * part for part in (process.mean, process.covariance)]
+    matrices = process.A, process.Q, process.H, process.R, *moments
+    return [to_array(matrix, dict(values)) for matrix in matrices]
 
 
 @functools.lru_cache(maxsize=32)
@@ -66,12 +63,12 @@ def as_process(process):
     with the variance D; w is appended to x. The initial errors of a filter are those of the mean.
     """
     if isinstance(process, FilterErrors):
-        process_below, gain = as_process(process.process), process.gain
+        measured, gain = as_process(process.process), process.gain
         return Process(
-            process_below.A - gain * process_below.H,
-            process_below.Q + gain * process_below.R * gain.T,
-            covariance=process_below.covariance,
-            discrete=process_below.discrete,
+            measured.A - gain * measured.H,
+            measured.Q + gain * measured.R * gain.T,
+            covariance=measured.covariance,
+            discrete=measured.discrete,
         )
     if not isinstance(process, Coloured):
         return process
@@ -138,15 +135,13 @@ def moments(process, time):
 
 def joint_moments(process, times):
     """Return mean and covariance of the states at several times, stacked."""
-    n, moments_at = len(process.A), [moments(process, time) for time in times]
-    covariance = np.zeros((n * len(times), n * len(times)))
-    for i, start in enumerate(times):
-        for k, end in enumerate(times):
-            if start <= end:
-                block = transition(process, end - start)[0] @ moments_at[i][1]
-                covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
-                covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
-    return np.vstack([mean for mean, _ in moments_at]), covariance
+    means, covariances = zip(*(moments(process, time) for time in times))
+    blocks = [[None] * len(times) for _ in times]
+    for (i, start), (k, end) in itertools.product(enumerate(times), repeat=2):
+        if start <= end:
+            blocks[k][i] = transition(process, end - start)[0] @ covariances[i]
+            blocks[i][k] = blocks[k][i].T
+    return np.vstack(means), np.block(blocks)
 
 
 def conditional_moments(process, measured, at):
@@ -168,11 +163,9 @@ def stationary_covariance(process):
     """Return the covariance that x tends to from any initial covariance."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
-    return (
-        solve_discrete_lyapunov(process.A, process.Q)
-        if process.discrete
-        else solve_continuous_lyapunov(process.A, -process.Q)
-    )
+    if process.discrete:
+        return solve_discrete_lyapunov(process.A, process.Q)
+    return solve_continuous_lyapunov(process.A, -process.Q)
 
 
 def steady_covariances(process):
@@ -188,11 +181,9 @@ def steady_covariances(process):
     for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
         gain = filter_gain(process, covariance)
         covariance = error_covariance(process, (process.A @ gain if process.discrete else gain))
-    return (
-        (covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance)
-        if process.discrete
-        else (covariance, covariance)
-    )
+    if not process.discrete:
+        return covariance, covariance
+    return covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance
 
 
 def filter_gain(process, covariance):
@@ -243,41 +234,24 @@ def steady_exists(process):
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
-    unobservable, uncontrollable = (
-        _dependent(u + sp.I * w, matrix, lower_block)
-        for matrix, lower_block in ((process.A, process.H), (process.A.T, process.Q))
-    )
+    pairs = (process.A, process.H), (process.A.T, process.Q)
+    unobservable, uncontrollable = (rank_falls(u + sp.I * w, *pair) for pair in pairs)
     none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
-        pairs = ((process.A, process.H), (process.A.T, process.Q))
+
         if all(value.is_Rational for value in values.values()):
-            unobservable, uncontrollable = (
+            fixed = [
                 np.concatenate(fixed_eigenvalues(pair_of(*(part.subs(values) for part in pair))))
                 for pair in pairs
-            )
+            ]
         elif all(value.is_algebraic for value in values.values()):
-            unobservable, uncontrollable = (
-                unobservable_eigenvalues_at(*pair, values) for pair in pairs
-            )
+            fixed = [unobservable_eigenvalues_at(*pair, values) for pair in pairs]
         else:
             return None
-        rates = [
-            abs(values) - 1 if process.discrete else values.real
-            for values in (unobservable, uncontrollable)
-        ]
+        rates = [abs(roots) - 1 if process.discrete else roots.real for roots in fixed]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
     return ReferenceCondition(
         (Case(sp.Not(none_exists), (u, w), every=True),), (Case(none_exists, (u, w)),), at
     )
-
-
-def _dependent(s, A, lower_block):
-    """Return the condition that the columns of s - A above a matrix are dependent."""
-    pencil = (s * sp.eye(A.rows) - A).col_join(lower_block)
-    minors = (
-        pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
-        for rows in itertools.combinations(range(pencil.rows), A.rows)
-    )
-    return sp.And(*(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag()))

@@ -1,7 +1,5 @@
 """The observable and the controllable part of systems given as records, as pairs of matrices."""
 
-import functools
-
 import sympy as sp
 from sympy.matrices.exceptions import NonInvertibleMatrixError
 
@@ -20,44 +18,25 @@ from workbook.systems import (
 )
 
 
-@functools.singledispatch
-def observed_pair(system, parameters=()):
-    """Return the `Pair` of a system with an output; its unknowns are those of an initial state."""
+def observed_pair(system, parameters=(), selected=None):
+    """Return the `Pair` of a system with an output; its unknowns are those of an initial state.
+
+    Of a system `WithError` `selected` are the indices of the unknowns whose observability is asked
+    for, by default all.
+    """
+    if isinstance(system, Varying):
+        return initial_states_of_varying(system.A, system.H, system.time, parameters)
+    if isinstance(system, Measurements):
+        return constants_of(system.jacobian, tuple(parameters))
+    joint = augmented(_in_states(system))
+    if isinstance(system, WithError) and system.start:
+        start = sp.diag(sp.eye(system.A.rows), system.start)
+        return initial_states_of(joint.A, joint.H, start, parameters, selected)
+    if isinstance(joint, (Linear, Process)):
+        return pair_of(joint.A, joint.H, parameters)
     raise UnsuitableData(
         f"system: expected a record of a system with an output, got {type(system).__name__}"
     )
-
-
-@observed_pair.register(Linear)
-@observed_pair.register(Process)
-def _(system, parameters=()):
-    return pair_of(system.A, system.H, parameters)
-
-
-@observed_pair.register
-def _(system: Mechanical, parameters=()):
-    return observed_pair(_in_states(system), parameters)
-
-
-@observed_pair.register
-def _(system: WithError, parameters=(), selected=None):
-    """`selected` are the indices of the unknowns whose observability is asked for, by default all."""
-    joint = augmented(system)
-    if not system.start:
-        return observed_pair(joint, parameters)
-    return initial_states_of(
-        joint.A, joint.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, selected
-    )
-
-
-@observed_pair.register
-def _(system: Varying, parameters=()):
-    return initial_states_of_varying(system.A, system.H, system.time, parameters)
-
-
-@observed_pair.register
-def _(system: Measurements, parameters=()):
-    return constants_of(system.jacobian, tuple(parameters))
 
 
 def controlled_pair(system, parameters=()):
@@ -77,11 +56,9 @@ def augmented(system):
 
 def matrix_of(system, parameters=()):
     """Return the matrix of the equations."""
-    return (
-        row_of(system, *system.field, parameters=parameters)
-        if isinstance(system, Deviations)
-        else system.A
-    )
+    if not isinstance(system, Deviations):
+        return system.A
+    return row_of(system, *system.field, parameters=parameters)
 
 
 def row_of(system, *quantities, parameters=()):
@@ -94,12 +71,8 @@ def row_of(system, *quantities, parameters=()):
         if not all(isinstance(row, sp.MatrixBase) for row in quantities):
             raise UnsuitableData("quantities: expected rows of numbers for this system")
         return sp.Matrix.vstack(*quantities)
-    rows = (
-        sp.Matrix(quantities)
-        .jacobian(list(system.state))
-        .subs(system.motion)
-        .applyfunc(sp.simplify)
-    )
+    slopes = sp.Matrix(quantities).jacobian(list(system.state))
+    rows = slopes.subs(system.motion).applyfunc(sp.simplify)
     if not rows.free_symbols <= set(parameters):
         raise UnsuitableData("the deviation equations are not constant")
     return rows
@@ -124,11 +97,6 @@ def _in_states(system):
         n, inverse = system.M.rows, system.M.inv(method="ADJ")
     except NonInvertibleMatrixError:
         raise UnsuitableData("system: expected an M that has an inverse") from None
-    A = (
-        sp.zeros(n)
-        .row_join(sp.eye(n))
-        .col_join((-inverse * system.K).row_join(-inverse * system.D))
-    )
-    return Linear(
-        A, sp.zeros(n, system.L.cols).col_join(inverse * system.L), system.H1.row_join(system.H2)
-    )
+    A = sp.Matrix([[sp.zeros(n), sp.eye(n)], [-inverse * system.K, -inverse * system.D]])
+    B = sp.zeros(n, system.L.cols).col_join(inverse * system.L)
+    return Linear(A, B, system.H1.row_join(system.H2))

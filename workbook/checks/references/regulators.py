@@ -13,6 +13,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.references import processes
+from workbook.checks.references.invariant_subspaces import orthogonal_complement, to_floats
 from workbook.checks.references.natural_units import COST, natural_units
 from workbook.checks.references.pairs import pair_of
 from workbook.systems import Process, Quadratic
@@ -37,6 +38,10 @@ class Regulator:
         """Return the gain of least cost at present, if the later cost is x^T `cost` x."""
         return -processes.filter_gain(self._dual, cost).T
 
+    def loop(self):
+        """Return A + BK with the gain K of least cost at the time 0."""
+        return self.A + self.B @ self.gain_for(self.least())
+
     def rates(self, cost):
         """Return the terms of the Riccati equation for the rate of the matrix of the cost."""
         gain = self.gain_for(cost)
@@ -55,41 +60,20 @@ class Regulator:
     def _finite_horizon_cost(self, remaining_time):
         from scipy.linalg import expm
 
-        push = self.B @ np.linalg.solve(self.N, self.B.T)
-        solution = expm(
-            -remaining_time * np.block([[self.A, -push], [-self.G, -self.A.T]])
-        ) @ np.vstack([np.eye(len(self.A)), self.F])
-        n = len(self.A)
+        n, push = len(self.A), self.B @ np.linalg.solve(self.N, self.B.T)
+        hamiltonian = np.block([[self.A, -push], [-self.G, -self.A.T]])
+        solution = expm(-remaining_time * hamiltonian) @ np.vstack([np.eye(n), self.F])
         cost = np.linalg.solve(solution[:n].T, solution[n:].T)
         return (cost + cost.T) / 2
 
     def _cost_of_observable_part(self):
-        exact = [
-            sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
-            for matrix in (self.A, self.G)
-        ]
-        unobservable = np.array(pair_of(*exact).unobservable[0], dtype=float).reshape(
-            -1, len(self.A)
-        )
-        observable = (
-            np.linalg.svd(unobservable)[2][len(unobservable) :]
-            if len(unobservable)
-            else np.eye(len(self.A))
-        )
+        unobservable = to_floats(pair_of(self.A, self.G).unobservable[0], len(self.A))
+        observable = orthogonal_complement(unobservable)
         if not len(observable):
             return 0 * self.A
-        observable_part = Quadratic(
-            *map(
-                sp.Matrix,
-                (
-                    observable @ self.A @ observable.T,
-                    observable @ self.B,
-                    _even(observable @ self.G @ observable.T),
-                    self.N,
-                ),
-            )
-        )
-        return observable.T @ Regulator(observable_part, {}).least() @ observable
+        A, G = (observable @ matrix @ observable.T for matrix in (self.A, self.G))
+        part = Quadratic(*map(sp.Matrix, (A, observable @ self.B, (G + G.T) / 2, self.N)))
+        return observable.T @ Regulator(part, {}).least() @ observable
 
 
 def dual(problem):
@@ -137,22 +121,16 @@ def steady_loop(problem, process, values):
 
     Without measurements they are those of x, the state being known.
     """
+    from scipy.linalg import block_diag
+
     regulator, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
     K = regulator.gain_for(regulator.least())
     if not len(noise.H):
         return regulator.A + regulator.B @ K, noise.Q, regulator.G + K.T @ regulator.N @ K
     L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
-    n = len(K.T)
-    loop = np.block(
-        [[regulator.A, regulator.B @ K], [L @ noise.H, regulator.A + regulator.B @ K - L @ noise.H]]
-    )
-    zero = np.zeros((n, n))
+    A, push, output = regulator.A, regulator.B @ K, L @ noise.H
     return (
-        loop,
-        np.block([[noise.Q, zero], [zero, L @ noise.R @ L.T]]),
-        np.block([[regulator.G, zero], [zero, K.T @ regulator.N @ K]]),
+        np.block([[A, push], [output, A + push - output]]),
+        block_diag(noise.Q, L @ noise.R @ L.T),
+        block_diag(regulator.G, K.T @ regulator.N @ K),
     )
-
-
-def _even(matrix):
-    return (matrix + matrix.T) / 2

@@ -46,12 +46,11 @@ def compare_region(answer, system, parameters, description, degree=0, unstable=F
     reference = spectrum.instability if unstable else spectrum.stability
 
     def message(values, holds):
-        position = (
-            f"outside your region, yet it is {description}"
-            if holds
-            else f"inside your region, yet it is not {description}"
+        side, verb = ("outside", "is") if holds else ("inside", "is not")
+        return (
+            f"the point {values_text(values)} lies {side} your region, yet it {verb} {description}: "
+            f"{spectrum.describe(values)}"
         )
-        return f"the point {values_text(values)} lies {position}: {spectrum.describe(values)}"
 
     return f"agrees with the roots: {compare(answer, parameters, reference, message)}"
 
@@ -65,11 +64,9 @@ def decays(A, discrete=False):
     """
     symbol = sp.Dummy("s")
     coefficients = A.charpoly().all_coeffs()
-    if discrete:
-        powers = [(1 + symbol) ** (A.rows - k) * (1 - symbol) ** k for k in range(A.rows + 1)]
-    else:
-        powers = [symbol ** (A.rows - k) for k in range(A.rows + 1)]
-    polynomial = sp.expand(sum(c * power for c, power in zip(coefficients, powers)))
+    above, below = (1 + symbol, 1 - symbol) if discrete else (symbol, sp.S.One)
+    terms = (c * above ** (A.rows - k) * below**k for k, c in enumerate(coefficients))
+    polynomial = sp.expand(sum(terms))
     if sp.degree(polynomial, symbol) < A.rows:
         return sp.false
     spectrum = Spectrum(polynomial, A.free_symbols, 0)
@@ -152,13 +149,14 @@ class Spectrum:
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
         return ReferenceCondition(
-            (Case(stable),), (self.some_root_right if self.degree else unstable,), self.is_stable
+            (Case(stable),), (self._right[0] if self.degree else unstable,), self.is_stable
         )
 
     @functools.cached_property
     def instability(self):
         """The `ReferenceCondition` that some root has a real part above -degree."""
-        return ReferenceCondition((self.some_root_right,), (self.no_root_right,), self.is_unstable)
+        some, none = self._right
+        return ReferenceCondition((some,), (none,), self.is_unstable)
 
     @property
     def order_kept(self):
@@ -168,7 +166,7 @@ class Spectrum:
     @functools.cached_property
     def hurwitz(self):
         """The condition that Hurwitz determinants have the signs of the leading coefficient."""
-        n, signs = len(self._terms) - 1, []
+        n = len(self._terms) - 1
         hurwitz = sp.Matrix(
             n, n, lambda i, j: self._terms[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= n else 0
         )
@@ -178,43 +176,25 @@ class Spectrum:
             matrix = DomainMatrix.from_Matrix(rational)
             # The characteristic polynomial of a matrix of order k ends with (-1)^k times its
             # determinant.
-            minors.append(
-                sp.expand(
-                    (-1) ** k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(entries)
-                )
-            )
-        for sign in (1, -1):
-            signs.append(
+            constant = matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(entries)
+            minors.append(sp.expand((-1) ** k * constant))
+        return sp.Or(
+            *(
                 sp.And(*(sign ** (k + (k == 0)) * minor > 0 for k, minor in enumerate(minors)))
+                for sign in (1, -1)
             )
-        return sp.Or(*signs)
-
-    @property
-    def some_root_right(self):
-        """The case that u + i w with u > 0 is a root."""
-        real, imaginary = self._value
-        return Case(
-            sp.And(*self.order_kept, self.root[0] > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0)),
-            self.root,
         )
 
     @property
-    def no_root_right(self):
-        """The case that no u + i w with u > 0 is a root."""
-        real, imaginary = self._value
-        return Case(
-            sp.And(*self.order_kept, sp.Or(self.root[0] <= 0, sp.Ne(real, 0), sp.Ne(imaginary, 0))),
-            self.root,
-            every=True,
-        )
-
-    @property
-    def _value(self):
+    def _right(self):
+        """The cases that some u + i w with u > 0 is a root, and that none is."""
         u, w = self.root
-        n = len(self._terms) - 1
-        return sp.expand(
-            sum(c * (u + sp.I * w) ** (n - k) for k, c in enumerate(self._terms))
-        ).as_real_imag()
+        terms = (c * (u + sp.I * w) ** k for k, c in enumerate(self._terms[::-1]))
+        real, imaginary = sp.expand(sum(terms)).as_real_imag()
+        root = sp.And(u > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0))
+        return Case(sp.And(*self.order_kept, root), self.root), Case(
+            sp.And(*self.order_kept, sp.Not(root)), self.root, every=True
+        )
 
     def _coefficients(self, values):
         """Return the coefficients at values of the parameters, as fractions if all is rational."""

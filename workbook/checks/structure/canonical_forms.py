@@ -10,6 +10,8 @@ observable canonical form with rows and columns in reverse order.
 Coordinates of the observable part alone are judged by the equations that the form stands for, z =
 xi1 and xi_k' = (a multiple of z) + xi_(k+1), the last one without its second term. With as many
 rows as the observable part has, the multiples are determined.
+
+No check here is declared by a reference: a form is judged by its shape, and at all values of the parameters.
 """
 
 from collections.abc import Callable
@@ -20,7 +22,7 @@ import numpy as np
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
-from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.exceptional_values import judge_where_generic
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
 from workbook.checks.structure.similar_systems import point_of_difference
@@ -113,15 +115,10 @@ def canonical_change(claim, system, parameters=()):
     """
     orders = range(1, system.A.rows + 1)
     if has_control(system):
-        return _judge_change(
-            claim.T[::-1, :],
-            controlled_pair(system, parameters),
-            [f"column {k}" for k in orders[::-1]],
-            by_rows=False,
-        )
-    return _judge_change(
-        claim, observed_pair(system, parameters), [f"xi{k}" for k in orders], by_rows=True
-    )
+        names = [f"column {k}" for k in orders[::-1]]
+        return _judge_change(claim.T[::-1, :], controlled_pair(system, parameters), names, False)
+    names = [f"xi{k}" for k in orders]
+    return _judge_change(claim, observed_pair(system, parameters), names, True)
 
 
 @judged(Matrix("parameters", shape="system.A"))
@@ -183,10 +180,10 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 f"of the coordinates{where}, so not all of yours are observable"
             )
         if claim.rows < order:
+            plural = "s" if claim.rows != 1 else ""
             raise Wrong(
                 f"the output and its derivatives hold more than {claim.rows} independent "
-                f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
-                "too few for them"
+                f"combination{plural} of the coordinates{where}; yours are too few for them"
             )
         yield SameEntries(
             claim[0, :],
@@ -203,21 +200,17 @@ def canonical_part_coordinates(claim, system, parameters=()):
         for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A
             residual = (rate - following) @ projection
-            uncertainty = uncertainties[k] @ abs(A @ projection) + uncertainties[k + 1] @ abs(
-                projection
-            )
-            if not np.linalg.norm(residual) <= np.linalg.norm(uncertainty) + EXACT * (
-                np.linalg.norm(rate) + np.linalg.norm(following)
-            ):
+            uncertainty = uncertainties[k] @ abs(A @ projection)
+            uncertainty = uncertainty + uncertainties[k + 1] @ abs(projection)
+            size = np.linalg.norm(rate) + np.linalg.norm(following)
+            if not np.linalg.norm(residual) <= np.linalg.norm(uncertainty) + EXACT * size:
                 j = int(np.argmax(abs(residual)))
                 expression_text = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(
                     f"{expression_text} has to be a multiple of z{where}; by your rows it differs from the "
                     f"nearest multiple by terms such as {number_text(residual[j])} x{j + 1}"
                 )
-    judge_everywhere(
-        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
-    )
+    judge_where_generic(claim, pair, "your matrix is undefined")
     return "z = xi1, and the derivatives are those of the form (2.5)"
 
 
@@ -227,24 +220,18 @@ def judge_form(claim, pair, form):
     for values, point, _ in pair.samples_for(claim):
         claimed = matrix_at(claim, values)
         shape_of_form(claimed, tolerance, form, where_text(values))
-        true = np.array([float(c) for c in characteristic_coefficients(pair.at(point)[0])])
-        claimed_polynomial = np.array(
-            [1, *(0 - claimed[:, 0])]
-        )  # not -claimed, which turns 0 into -0
+        true = np.array(characteristic_coefficients(pair.at(point)[0]), dtype=float)
+        polynomial = np.array([1, *(0 - claimed[:, 0])])  # not -claimed, which turns 0 into -0
         column = list(claim[:, 0])
         uncertain = [uncertainty_at(entry, values) for entry in column]
-        if not agree(
-            claimed_polynomial[1:], true[1:], column, max(abs(true)), uncertain=uncertain
-        ).all():
-            difference_point = point_of_difference(claimed_polynomial, true)
-            claimed_value = number_text(np.polyval(claimed_polynomial, difference_point))
+        if not agree(polynomial[1:], true[1:], column, max(abs(true)), uncertain=uncertain).all():
+            point = point_of_difference(polynomial, true)
             raise Wrong(
-                f"the characteristic polynomials differ{where_text(values)}: at lambda = "
-                f"{difference_point} that of your matrix is {claimed_value}, and that of A is not"
+                f"the characteristic polynomials differ{where_text(values)}: at lambda = {point} "
+                f"that of your matrix is {number_text(np.polyval(polynomial, point))}, and that of "
+                "A is not"
             )
-    judge_everywhere(
-        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
-    )
+    judge_where_generic(claim, pair, "your matrix is undefined")
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
@@ -280,9 +267,8 @@ def _judge_change(claim, pair, row_names, by_rows):
     n = pair.order
     if any(pair.unobservable):
         raise UnsuitableData("there is no canonical form: the system loses an eigenvalue")
-    for (values, A, (h,), _), (_, point, _) in zip(
-        pair.systems_for(claim), pair.samples_for(claim)
-    ):
+    samples = zip(pair.systems_for(claim), pair.samples_for(claim))
+    for (values, A, (h,), _), (_, point, _) in samples:
         where, true = where_text(values), [h]
         for coefficient in characteristic_coefficients(pair.at(point)[0])[1:-1]:
             true.append(true[-1] @ A + float(coefficient) * h)
@@ -290,9 +276,8 @@ def _judge_change(claim, pair, row_names, by_rows):
 
         def message(claimed, k, j):
             candidate, reference = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
-            if np.linalg.cond(reference) < 1e12 and np.linalg.norm(
-                candidate @ reference - np.eye(n)
-            ) <= 10 * relative_tolerance(claim):
+            off = np.linalg.norm(candidate @ reference - np.eye(n))
+            if np.linalg.cond(reference) < 1e12 and off <= 10 * relative_tolerance(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
                     "x from xi; asked is T in xi = T x"
                     if by_rows
@@ -318,9 +303,7 @@ def _judge_change(claim, pair, row_names, by_rows):
             )
 
         yield SameEntries(claim, true, message, values, np.linalg.norm(true, axis=1)[:, None])
-    judge_everywhere(
-        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
-    )
+    judge_where_generic(claim, pair, "your matrix is undefined")
     return (
         "z = xi1 and each derivative is that of the form"
         if by_rows

@@ -13,6 +13,8 @@ does) is free of this.
   (columns A^k b_i) taken from its own chain, each up to rows taken with lower powers of A: so the
   canonical form of each part, as in example 7, is accepted as well as the chains. The parts may act
   on one another, yet each is observable by its own output (controllable by its own control).
+
+No check here is declared by a reference: any coordinates with the zeros asked are right.
 """
 
 import numpy as np
@@ -88,6 +90,17 @@ def parallel_system(answer, system):
 
     A change of variables turns the given system into it, and its own coordinates stand in the parts
     of a parallel decomposition.
+
+    Can decide when the entries are exact numbers. Any such coordinates are accepted.
+
+    Examples
+    --------
+    >>> from workbook.systems import Linear
+    >>> pair = Linear(A=sp.zeros(2), H=[[0, 1], [1, 0]])
+    >>> checks.parallel_system([sp.zeros(2), sp.eye(2)], pair).status
+    'right'
+    >>> checks.parallel_system([sp.zeros(2), [[0, 1], [1, 0]]], pair).status
+    'wrong'
     """
     matrix, coupling, pair, side = by_equations(answer, system)
     judge_system(matrix, coupling, pair, side)
@@ -117,8 +130,8 @@ def _judge_components(claim, system, sequential):
         if not sequential and _is_parallel(claimed[np.argsort(turns)], A, H, part, tolerance, side):
             raise Wrong(
                 f"your {'columns' if side.by_control else 'rows'} stand in the order in which they "
-                "are taken "
-                f"by turns; asked is part by part, first all that belong to the first component"
+                "are taken by turns; asked is part by part, first all that belong to the first "
+                "component"
             ) from None
         raise
     return "the matrix is invertible, and every zero that the decomposition requires is one"
@@ -149,21 +162,15 @@ def _judge_parts(claimed, A, H, part, tolerance, side, sequential):
     names = [f"coordinate {k + 1}" for k in range(n)]
     message = "look again at which coordinates make up each part, and how many they are"
     # The largest value that a zero can have when T is rounded to three digits.
-    bound = (
-        tolerance
-        * np.linalg.norm(claimed, axis=1)[:, None]
-        * np.linalg.norm(A)
-        * np.linalg.norm(inverse, axis=0)[None, :]
-    )
+    size = tolerance * np.linalg.norm(inverse, axis=0)
+    bound = np.linalg.norm(A) * np.outer(np.linalg.norm(claimed, axis=1), size)
     for i, j in np.ndindex(n, n):
         free = part[j] <= part[i] if sequential else part[j] < m or part[i] == m
         if not free and not abs(new_A[i, j]) <= bound[i, j]:
             raise Wrong(
                 f"{side.mixed(names[i], names[j], new_A[i, j])}, and it should not: {message}"
             )
-    bound = (
-        tolerance * np.linalg.norm(H, axis=1)[:, None] * np.linalg.norm(inverse, axis=0)[None, :]
-    )
+    bound = np.outer(np.linalg.norm(H, axis=1), size)
     for k, j in np.ndindex(m, n):
         free = part[j] == k if sizes[k] else part[j] < k if sequential else part[j] < m
         if not free and not abs(new_H[k, j]) <= bound[k, j]:
@@ -188,11 +195,8 @@ def _judge_chains(parts, A, H, tolerance, side):
                 len(inside) != power + 1
                 or np.linalg.norm(inside - inside @ chain.T @ chain) > 10 * tolerance
             ):
-                name = (
-                    f"b{k + 1}, A b{k + 1}, ..."
-                    if side.by_control
-                    else f"h{k + 1}, h{k + 1} A, ..."
-                )
+                b, h = f"b{k + 1}", f"h{k + 1}"
+                name = f"{b}, A {b}, ..." if side.by_control else f"{h}, {h} A, ..."
                 raise Wrong(
                     f"part {k + 1} is not spanned by its own chain {name}, each up to what is "
                     f"taken with lower powers of A: it fails at the power {power}"

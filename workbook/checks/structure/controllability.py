@@ -1,6 +1,8 @@
 """Controllability of x' = A x + B u, a `Linear`, and of a `Mechanical` system.
 
 The questions are those of `observability.py` about the dual system.
+
+No check here is declared by a reference: conditions and bases are decided exactly.
 """
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo

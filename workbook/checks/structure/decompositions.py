@@ -4,6 +4,8 @@ A change of variables is judged by the zeros of the new matrices. A system given
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
 linear equations, and an invertible one exists if a random solution is invertible. So every choice
 of coordinates is right that has the form asked.
+
+No check here is declared by a reference: any coordinates with the zeros asked are right.
 """
 
 from dataclasses import dataclass
@@ -15,7 +17,8 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.exceptional_values import judge_everywhere, judge_where_generic
+from workbook.checks.references.invariant_subspaces import chain, orthogonal_complement
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.records import (
     controlled_pair,
@@ -46,12 +49,9 @@ class _Side:
         return f"{outer}' contains {inner} with the coefficient {number_text(value)}"
 
     def shown(self, k, count, column, value):
-        name = ("u" if self.by_control else "z") + (str(k + 1) if count > 1 else "")
-        return (
-            f"{name} enters {column}' with the coefficient {number_text(value)}"
-            if self.by_control
-            else f"{name} contains {column} with the coefficient {number_text(value)}"
-        )
+        number = k + 1 if count > 1 else ""
+        what = f"u{number} enters {column}'" if self.by_control else f"z{number} contains {column}"
+        return f"{what} with the coefficient {number_text(value)}"
 
 
 OUTPUT = _Side(
@@ -153,28 +153,20 @@ def similarity_matrix(claim, system, other, parameters=()):
     >>> checks.similarity_matrix([[1, 0], [0, 1]], one, other).status
     'wrong'
     """
-    A_from, A_to = system.A, matrix_of(other, parameters)
+
     tolerance = relative_tolerance(claim)
     source, target = (
-        pair_of(A_from, A_from[:1, :], parameters),
-        pair_of(A_to, A_to[:1, :], parameters),
+        pair_of(A, A[:1, :], parameters) for A in (system.A, matrix_of(other, parameters))
     )
     for (values, A_source, _, _), (_, A_target, _, _) in zip(source.systems, target.systems):
         claimed = matrix_at(claim, values)
         require_invertible(claimed, tolerance, values)
-        left, right, uncertainty = (
-            claimed @ A_source,
-            A_target @ claimed,
-            entry_uncertainties(claim, values),
-        )
-        size = (
-            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(A_source)
-            + abs(A_target) @ np.linalg.norm(claimed, axis=1)[:, None]
-        )
-        mismatched = ~(
-            abs(left - right)
-            <= EXACT * size + uncertainty @ abs(A_source) + abs(A_target) @ uncertainty
-        )
+        left, right = claimed @ A_source, A_target @ claimed
+        uncertainty = entry_uncertainties(claim, values)
+        lengths = np.linalg.norm(claimed, axis=1)[:, None]
+        bound = EXACT * (lengths * np.linalg.norm(A_source) + abs(A_target) @ lengths)
+        bound = bound + uncertainty @ abs(A_source) + abs(A_target) @ uncertainty
+        mismatched = ~(abs(left - right) <= bound)
         if mismatched.any():
             inverse = np.linalg.inv(claimed)
             off = np.linalg.norm(inverse @ A_source - A_target @ inverse)
@@ -186,13 +178,8 @@ def similarity_matrix(claim, system, other, parameters=()):
                 f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by "
                 "the second"
             )
-    judge_everywhere(
-        claim,
-        source.parameters,
-        lambda: sp.true,
-        "your matrix is undefined",
-        "your matrix has no inverse",
-    )
+    undefined, singular = "your matrix is undefined", "your matrix has no inverse"
+    judge_everywhere(claim, source.parameters, lambda: sp.true, undefined, singular)
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
@@ -206,13 +193,8 @@ def by_observation(claim, system, parameters=()):
 def by_equations(answer, system, parameters=()):
     """Return the matrices of a claimed system, the pair and the wording, transposed for a control."""
     control = has_control(system)
-    matrix, coupling = _as_system(
-        answer,
-        parameters,
-        ("A'", "B'" if control else "H'"),
-        system.B.cols if control else system.H.rows,
-        columns=control,
-    )
+    names, width = (("A'", "B'"), system.B.cols) if control else (("A'", "H'"), system.H.rows)
+    matrix, coupling = _as_system(answer, parameters, names, width, columns=control)
     matrix, pair, side = by_observation(matrix, system, parameters)
     return matrix, coupling.T if control else coupling, pair, side
 
@@ -224,11 +206,9 @@ def _judge_split(claim, pair, side):
         claimed, size = matrix_at(claim, values), n - len(unobservable)
         require_invertible(claimed, tolerance, values)
         space, _ = np.linalg.qr(unobservable.T)
-        if (
-            abs(claimed[:size] @ space)
-            <= EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
-            + entry_uncertainties(claim, values)[:size] @ abs(space)
-        ).all():
+        bound = EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
+        bound = bound + entry_uncertainties(claim, values)[:size] @ abs(space)
+        if (abs(claimed[:size] @ space) <= bound).all():
             continue
         if _vanishes(np.linalg.inv(claimed)[:size], space, tolerance):
             raise Wrong(f"this matrix gives {side.reverse}; asked is {side.expected}")
@@ -247,13 +227,7 @@ def _judge_split(claim, pair, side):
             f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; the number of "
             f"coordinates of xi is {side.size}"
         )
-    judge_everywhere(
-        claim,
-        pair.parameters,
-        lambda: pair.generic_condition,
-        "your matrix is undefined",
-        "your matrix has no inverse",
-    )
+    judge_where_generic(claim, pair, "your matrix is undefined", "your matrix has no inverse")
     return f"it is invertible, and in the new coordinates the {side.part} part is separated as the form requires"
 
 
@@ -266,12 +240,8 @@ def judge_system(matrix, output, pair, side):
             f"{matrix.rows}"
         )
     for values, A, H, unobservable in pair.systems_for([matrix, output]):
-        new_A, new_H, size = (
-            matrix_at(matrix, values),
-            matrix_at(output, values),
-            n - len(unobservable),
-        )
-        bound = max(tolerance, 1e-9)
+        new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
+        size, bound = n - len(unobservable), max(tolerance, 1e-9)
         if (abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any() or (
             abs(new_H[:, size:]) > bound * np.linalg.norm(new_H)
         ).any():
@@ -282,12 +252,11 @@ def judge_system(matrix, output, pair, side):
         uncertainty = entry_uncertainties(matrix, values)
         if not are_similar(A, H, new_A, new_H, tolerance, A, uncertainty):
             part = new_A[:size, :size], new_H[:, :size]
+            block = _observable_block(A, unobservable)
             if (
                 size < n
                 and np.allclose(np.poly(new_A), np.poly(A))
-                and are_similar(
-                    A, H, *part, tolerance, _observable_block(A, unobservable), uncertainty
-                )
+                and are_similar(A, H, *part, tolerance, block, uncertainty)
             ):
                 raise Wrong(
                     f"your {side.part} part is that of the given system, but no change of "
@@ -309,15 +278,8 @@ def _judge_part(matrix, output, pair):
                 f"rank N, and that is not {matrix.rows}{where_text(values)}"
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
-        if not are_similar(
-            A,
-            H,
-            new_A,
-            new_H,
-            tolerance,
-            _observable_block(A, unobservable),
-            entry_uncertainties(matrix, values),
-        ):
+        block, uncertainty = _observable_block(A, unobservable), entry_uncertainties(matrix, values)
+        if not are_similar(A, H, new_A, new_H, tolerance, block, uncertainty):
             raise Wrong(difference_text(None, new_A, new_A, new_H, values, OUTPUT))
     _judge_parameters(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
@@ -325,27 +287,16 @@ def _judge_part(matrix, output, pair):
 
 def _judge_parameters(matrix, output, pair, side):
     """Judge that a system is defined, with the pair's rank N, for all values of the parameters."""
-    rows = [output]
-    while len(rows) < matrix.rows and pair.parameters:
-        rows.append(rows[-1] * matrix)
+    undefined, rows = "your system is undefined", chain(output, matrix, matrix.rows)
     observability = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
-    judge_everywhere(
-        matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
-    )
-    judge_everywhere(
-        observability,
-        pair.parameters,
-        lambda: pair.generic_condition,
-        "your system is undefined",
-        f"less of your system than of the given one is {side.part}",
-    )
+    judge_where_generic(matrix, pair, undefined)
+    less = f"less of your system than of the given one is {side.part}"
+    judge_where_generic(observability, pair, undefined, less)
 
 
 def _observable_block(A, unobservable):
     """Return A on the orthogonal complement of the unobservable states, in an orthonormal basis."""
-    complement = (
-        np.linalg.svd(unobservable)[2][len(unobservable) :] if len(unobservable) else np.eye(len(A))
-    )
+    complement = orthogonal_complement(unobservable)
     return complement @ A @ complement.T
 
 
@@ -377,12 +328,11 @@ def _as_system(answer, parameters, names, outputs, columns=False):
 def require_invertible(claimed, tolerance, values):
     """Raise `Wrong` for a matrix without an inverse, whatever the units of its rows."""
     lengths = np.linalg.norm(claimed, axis=1)
+    failure = f"your matrix has no inverse{where_text(values)}"
     if not lengths.all():
-        raise Wrong(
-            f"your matrix has no inverse{where_text(values)}: one of its rows or columns is zero"
-        )
+        raise Wrong(f"{failure}: one of its rows or columns is zero")
     if np.linalg.svd(claimed / lengths[:, None], compute_uv=False)[-1] <= 1e-2 * tolerance:
-        raise Wrong(f"your matrix has no inverse{where_text(values)}")
+        raise Wrong(failure)
 
 
 def _vanishes(rows, space, tolerance):
@@ -394,10 +344,10 @@ def _vanishes(rows, space, tolerance):
 
 def _first_mixed(new_A, new_H, size, side):
     """Return a text on the largest entry that should be zero."""
-    names = [f"xi{k + 1}" for k in range(size)] + [f"eta{k + 1}" for k in range(len(new_A) - size)]
-    upper, shown = abs(new_A[:size, size:]), abs(new_H[:, size:])
-    if upper.size and upper.max() >= shown.max(initial=0):
-        i, j = np.unravel_index(np.argmax(upper), upper.shape)
-        return side.mixed(names[i], names[size + j], new_A[i, size + j])
-    k, j = np.unravel_index(np.argmax(shown), shown.shape)
-    return side.shown(k, len(new_H), names[size + j], new_H[k, size + j])
+    upper, shown = new_A[:size, size:], new_H[:, size:]
+    in_motion = upper.size and abs(upper).max() >= abs(shown).max(initial=0)
+    block = upper if in_motion else shown
+    i, j = np.unravel_index(np.argmax(abs(block)), block.shape)
+    if in_motion:
+        return side.mixed(f"xi{i + 1}", f"eta{j + 1}", block[i, j])
+    return side.shown(i, len(new_H), f"eta{j + 1}", block[i, j])

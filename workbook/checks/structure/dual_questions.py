@@ -15,11 +15,7 @@ from sympy.core.relational import Relational
 from workbook.checks.contract.claims import Values
 from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.references.invariant_subspaces import (
-    characteristic_coefficients,
-    different_roots,
-    restricted,
-)
+from workbook.checks.references.fixed_modes import fixed_eigenvalues
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.values import numbers_at, uncertainty_at
@@ -28,21 +24,18 @@ from workbook.checks.tools.wording import number_text, values_text, where_text, 
 
 def _output_shows(k, order, number, value):
     """Return a text on the first nonzero derivative of an output; `number` is "" for a single one."""
-    name = (
-        f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
-    )
+    z = f"z{number}"
+    name = z + "'" * order if order < 4 else f"the derivative of {z} of order {order}"
     return f"the motion from your vector {k} gives {name} = {value} at t = 0, not 0"
 
 
 def _control_changes(k, order, number, value):
     """Return a text on the first derivative of a combination w x that the control enters."""
     power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
-    derivative_text = (
-        "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
-    )
+    derivative = "first derivative" if order == 0 else f"derivative of order {order + 1}"
     return (
-        f"the control u{number} changes your combination {k}: it enters {derivative_text} of w x with the "
-        f"coefficient w {power}b{number} = {value}, not 0"
+        f"the control u{number} changes your combination {k}: it enters the {derivative} of w x "
+        f"with the coefficient w {power}b{number} = {value}, not 0"
     )
 
 
@@ -104,7 +97,6 @@ def judge_yes_no(claim, pair, side):
     if not pair.parameters:
         (unobservable,) = pair.unobservable
         return (yield SameWord(claim, not unobservable, existence_text(len(unobservable), side)))
-    holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
             sp.true,
@@ -115,14 +107,10 @@ def judge_yes_no(claim, pair, side):
             ),
         )
     except Wrong as error:
-        dimension = min(map(len, pair.unobservable))
-        holds, reason = (
-            False,
-            f"{existence_text(dimension, side)}, whatever the parameters"
-            if dimension
-            else str(error),
-        )
-    return (yield SameWord(claim, holds, reason))
+        always = all(pair.unobservable)
+        reason = f"{existence_text(1, side)}, whatever the parameters" if always else str(error)
+        return (yield SameWord(claim, False, reason))
+    return (yield SameWord(claim, True, f"{side.none_free}, for any values of the parameters"))
 
 
 def judge_region(answer, pair, side, holds=True):
@@ -170,19 +158,10 @@ def judge_kalman(claim, pair, side):
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
         def message(claimed, k, j):
-            if (
-                claimed.shape == true.T.shape
-                and agree(
-                    claimed.T,
-                    true,
-                    claim.T,
-                    sizes,
-                    uncertain=[
-                        [uncertainty_at(e, values) for e in column] for column in claim.T.tolist()
-                    ],
-                ).all()
-            ):
-                return f"this is the transpose of {side.matrix}"
+            if claimed.shape == true.T.shape:
+                uncertain = [[uncertainty_at(e, values) for e in row] for row in claim.T.tolist()]
+                if agree(claimed.T, true, claim.T, sizes, uncertain=uncertain).all():
+                    return f"this is the transpose of {side.matrix}"
             requirement = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
                 if k >= m
@@ -201,15 +180,9 @@ def judge_kalman(claim, pair, side):
 
 def judge_eigenvalues(claims, pair, side):
     """Judge the different eigenvalues of the PBH test: those of A on the unobservable states."""
-    fixed = [
-        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
-        if unobservable
-        else np.array([])
-        for _, point, unobservable in pair.samples_for(claims)
-    ]
     spectra = [
         (values, roots, np.linalg.eigvals(A))
-        for roots, (values, A, _, _) in zip(fixed, pair.systems_for(claims))
+        for roots, (values, A, *_) in zip(fixed_eigenvalues(pair, claims), pair.systems_for(claims))
     ]
     return compare_eigenvalues(claims, spectra, side)
 
@@ -263,14 +236,9 @@ def roots_evidence(claims, symbol, polynomial):
     """
     if in_decimals(*claims):
         return "to three digits, for sample values"
-    residuals = [
-        sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims
-    ]
-    return (
-        "proved"
-        if all(sp.expand(part) == 0 for part in residuals)
-        else "to the digits computed, for sample values"
-    )
+    residuals = (sp.together(polynomial.as_expr().subs(symbol, claim)) for claim in claims)
+    proved = all(sp.expand(sp.numer(part)) == 0 for part in residuals)
+    return "proved" if proved else "to the digits computed, for sample values"
 
 
 def existence_text(count, side):

@@ -2,6 +2,8 @@
 
 Theorem 2.3 with an output, Theorem 2.4 with a control, Theorems 2.5 and 2.6 for a mechanical
 system.
+
+No check here is declared by a reference: a wrong value is explained by the rank there.
 """
 
 from workbook.checks.contract.verdict import judged
@@ -32,14 +34,7 @@ def fixed_eigenvalues(claim, system, parameters=()):
     """
     control = has_control(system)
     if isinstance(system, Mechanical):
-        return judge_roots(
-            claim,
-            system.dual if control else system,
-            parameters,
-            CONTROL_PENCIL if control else OUTPUT_PENCIL,
-        )
-    return judge_eigenvalues(
-        claim,
-        (controlled_pair if control else observed_pair)(system, parameters),
-        CONTROL if control else OUTPUT,
-    )
+        side = CONTROL_PENCIL if control else OUTPUT_PENCIL
+        return judge_roots(claim, system.dual if control else system, parameters, side)
+    pair = (controlled_pair if control else observed_pair)(system, parameters)
+    return judge_eigenvalues(claim, pair, CONTROL if control else OUTPUT)

@@ -7,6 +7,8 @@ Whether z determines x(0) and C is judged in `observability.py`: a pair (x(0), C
 for all time cannot be distinguished from zero. These pairs come from the largest unobservable
 invariant subspace (`known_starts`), not from the rank of an augmented matrix, which allows errors
 of any initial state w(0).
+
+No check here is declared by a reference: any coordinates of the error are right.
 """
 
 import numpy as np
@@ -63,38 +65,24 @@ def augmented_system(answer, system, parameters=(), own=False):
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(point))
         claimed_A, claimed_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
-        for claim, block, true, property_text in (
+        outputs, itself = slice(None), "the last coordinate is the error itself"
+        blocks = [
             (matrix, (x, x), true_A[x, x], "the rows and columns of x in A' are those of A"),
             (matrix, (x, w), 0, "the error does not act on the motion: this part of A' is zero"),
             (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
-            (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
-        ):
+            (row, (outputs, x), true_H[:, x], "the columns of x in H' are those of H"),
+        ]
+        if own and matrix.rows == pair.order:
+            blocks.append((matrix, (w, w), true_A[w, w], itself))
+            blocks.append((row, (outputs, w), true_H[:, w], itself))
+        for claim, block, true, property_text in blocks:
             claimed = (claimed_A if claim is matrix else claimed_H)[block]
             _compare_block(claimed, true + 0 * claimed, claim[block], property_text, values)
-        if own and matrix.rows == pair.order:
-            _compare_block(
-                claimed_A[w, w],
-                true_A[w, w],
-                matrix[w, w],
-                "the last coordinate is the error itself",
-                values,
-            )
-            _compare_block(
-                claimed_H[:, w],
-                true_H[:, w],
-                row[:, w],
-                "the last coordinate is the error itself",
-                values,
-            )
-        uncertainties = (
-            entry_uncertainties(matrix, values)[w, w],
-            entry_uncertainties(row, values)[:, w],
-        )
         _compare_errors(
             claimed_A[w, w],
             claimed_H[:, w],
-            uncertainties,
-            _error_derivatives(pair, point, n, matrix.rows),
+            [entry_uncertainties(part, values) for part in (matrix[w, w], row[:, w])],
+            _error_derivatives(pair, point, matrix.rows),
             where_text(values),
         )
     return (
@@ -108,6 +96,19 @@ def amplitude_from_output(claim, system, outputs, time):
     """Check C as an expression in z, its derivatives at one instant and the time.
 
     The symbols of z and of its derivatives are the `outputs`.
+
+    Can decide when the matrices are numbers; C is compared at six times of motions from random
+    initial states.
+
+    Examples
+    --------
+    >>> from workbook.systems import WithError
+    >>> biased = WithError(A=[[1]], H=[[1]], S=[[0]], c=[[1]], start=[[1]])
+    >>> z, dz, t = sp.symbols("z dz t")
+    >>> checks.amplitude_from_output(z - dz, biased, [z, dz], t).status
+    'right'
+    >>> checks.amplitude_from_output(z + dz, biased, [z, dz], t).status
+    'wrong'
     """
     from scipy.linalg import expm
 
@@ -116,10 +117,8 @@ def amplitude_from_output(claim, system, outputs, time):
     random = np.random.default_rng(17)
     instants = [{time: instant} for instant in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
     for instant in (values[time] for values in in_every_case(instants, claim, time >= 0)):
-        x, amplitude = (
-            random.normal(size=system.A.rows),
-            random.choice([-1, 1]) * random.uniform(0.5, 3),
-        )
+        x = random.normal(size=system.A.rows)
+        amplitude = random.choice([-1, 1]) * random.uniform(0.5, 3)
         state = expm(instant * matrix) @ [*x, *(amplitude * float(s) for s in system.start)]
         values = {time: instant}
         for symbol in outputs:
@@ -133,15 +132,14 @@ def amplitude_from_output(claim, system, outputs, time):
 
 def _compare_block(claimed, true, claim, property_text, values):
     uncertain, where = entry_uncertainties(claim, values), where_text(values)
-    mismatched = ~agree(
-        claimed, true, claim, max(abs(true).max(initial=0), 1.0), uncertain=uncertain
-    )
+    size = max(abs(true).max(initial=0), 1.0)
+    mismatched = ~agree(claimed, true, claim, size, uncertain=uncertain)
     if mismatched.any():
         i, j = np.argwhere(mismatched)[0]
         raise Wrong(f"{property_text}{where}; yours has {number_text(claimed[i, j])} there")
 
 
-def _error_derivatives(pair, point, n, count):
+def _error_derivatives(pair, point, count):
     """Return the exact derivatives of the error with C = 1 at t = 0.
 
     There are enough of them to distinguish two equations of these orders.
@@ -161,10 +159,8 @@ def _compare_errors(S, c, uncertainties, derivatives, where):
     """
     size, count = len(S), len(derivatives)
     half = count // 2
-    order = len(
-        echelon([[x for entry in derivatives[i : i + half] for x in entry] for i in range(half)])[1]
-    )
-    if size > order:
+    hankel = [sum(derivatives[i : i + half], []) for i in range(half)]
+    if size > len(echelon(hankel)[1]):
         raise Wrong(
             f"your error has {size} coordinates, but it satisfies a linear equation of lower "
             f"order{where}; fewer coordinates are enough"

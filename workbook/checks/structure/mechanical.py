@@ -7,11 +7,12 @@ A rank falls exactly where all maximal minors of its matrix vanish together, so 
 are the roots of their greatest common divisor, a polynomial with rational coefficients. This holds
 for a singular M too. All other questions about these systems are judged in the states (x, x'), in
 `observability.py` and `controllability.py`.
+
+No check here is declared by a reference: a wrong value is explained by the rank there.
 """
 
 import dataclasses
 import functools
-import itertools
 
 import numpy as np
 import sympy as sp
@@ -20,6 +21,7 @@ from workbook.checks.contract.verdict import UnsuitableData, judged
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
+    maximal_minors,
 )
 from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import (
@@ -74,12 +76,9 @@ def mechanical_eigenvalues(claim, system, parameters=()):
     'wrong'
     """
     pair = observed_pair(system, parameters)
-    samples = pair.samples_for(claim)
-    roots = [
-        different_roots(characteristic_coefficients(pair.at(point)[0])) for _, point, _ in samples
-    ]
     spectra = [
-        (values, eigenvalues, eigenvalues) for (values, *_), eigenvalues in zip(samples, roots)
+        (values, *[different_roots(characteristic_coefficients(pair.at(point)[0]))] * 2)
+        for values, point, _ in pair.samples_for(claim)
     ]
     yield from compare_eigenvalues(claim, spectra, ROOTS_PENCIL)
     evidence = roots_evidence(claim, LAMBDA, _pencil(system).det())
@@ -118,10 +117,7 @@ def _cached_spectra(system):
 def _polynomials(system):
     """Return the polynomials that vanish where the rank falls, and where the square matrix's does."""
     rows = _pencil(system).col_join((system.H1 + LAMBDA * system.H2).applyfunc(_exact))
-    minors = [
-        sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)
-        for chosen in itertools.combinations(range(rows.rows), rows.cols)
-    ]
+    minors = [sp.Poly(minor, LAMBDA) for minor in maximal_minors(rows)]
     if minors[0].is_zero:
         raise UnsuitableData(
             "det(M lambda^2 + D lambda + K) vanishes identically: the equations do not determine a "
@@ -139,8 +135,5 @@ def _exact(x):
 
 
 def _roots(poly):
-    return (
-        np.array([complex(root) for root in poly.sqf_part().nroots(n=20, maxsteps=200)])
-        if poly.degree() > 0
-        else np.array([])
-    )
+    roots = poly.sqf_part().nroots(n=20, maxsteps=200) if poly.degree() > 0 else []
+    return np.array(roots, dtype=complex)

@@ -4,6 +4,8 @@ Any combination of the equations is accepted.
 
 Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1
 K q + M^-1 L u, and this is compared.
+
+No check here is declared by a reference: any combination of the equations is right.
 """
 
 import numpy as np
@@ -63,27 +65,19 @@ def mechanical_equations(claim, system, parameters=()):
         for claimed_part, true_part, uncertainty, name, sign in zip(
             claimed, true, uncertainties, "qu", (-1, 1)
         ):
-            uncertain = sum(
-                abs(np.linalg.solve(*perturbed) - np.linalg.solve(mass, claimed_part))
-                for perturbed in perturbed_arrays(
-                    (mass, claimed_part), (mass_uncertainty, uncertainty)
-                )
-            )
-            claimed_part, true_part = (
-                np.linalg.solve(mass, claimed_part),
-                np.linalg.solve(true_mass, true_part),
-            )
+            perturbed = perturbed_arrays((mass, claimed_part), (mass_uncertainty, uncertainty))
+            rates = np.linalg.solve(mass, claimed_part)
+            true_rates = np.linalg.solve(true_mass, true_part)
+            uncertain = sum(abs(np.linalg.solve(*parts) - rates) for parts in perturbed)
             yield SameSides(
-                claimed_part,
-                true_part,
-                EXACT * max(abs(true_part).max(), 1e-300)
-                + uncertain
-                + np.zeros(claimed_part.shape),
+                rates,
+                true_rates,
+                EXACT * max(abs(true_rates).max(), 1e-300) + uncertain + np.zeros(rates.shape),
                 lambda point: (
                     f"by your equations {name}"
-                    f"{point[1] + 1 if claimed_part.shape[1] > 1 or name == 'q' else ''} enters the "
+                    f"{point[1] + 1 if rates.shape[1] > 1 or name == 'q' else ''} enters the "
                     f"acceleration of q{point[0] + 1} with the coefficient "
-                    f"{number_text(sign * claimed_part[point])}"
+                    f"{number_text(sign * rates[point])}"
                     f"{where_text(values)}: this does not satisfy Lagrange's equations of the given energies"
                 ),
                 1.0,

@@ -3,6 +3,8 @@
 The records are x' = A x, z = H x as `Linear` or `Process`, with an error in the measurement as
 `WithError`, with a row H(t) as `Varying`, and `Mechanical`; of constants as `Measurements`,
 locally. The `parameters` in them are a list of symbols.
+
+No check here is declared by a reference: conditions and bases are decided exactly.
 """
 
 from workbook.checks.contract.claims import Vectors, YesNo
@@ -65,12 +67,8 @@ def observable_parameters(answer, system, parameters, part=None):
     >>> checks.observable_parameters(sp.Ne(k, 0), pair, [k]).status
     'wrong'
     """
-    pair = (
-        observed_pair(system, parameters)
-        if part is None
-        else observed_pair(system, parameters, PARTS[part](system))
-    )
-    return judge_region(answer, pair, words(system, part))
+    selected = PARTS[part](system) if part else None
+    return judge_region(answer, observed_pair(system, parameters, selected), words(system, part))
 
 
 @judged(system="Linear, WithError, Varying, Process, Mechanical or Measurements with outputs")

@@ -4,6 +4,8 @@ A measurement z = H x along the motions of x' = A x is a solution of a linear eq
 0, and every solution of the equation of lowest order occurs. So a measurement and a coordinate of
 another system can be the same quantity only if these equations agree; they are found as the first
 dependence among the rows H, H A, H A^2, ..., in exact arithmetic.
+
+No check here is declared by a reference: the answer is a word.
 """
 
 import sympy as sp
@@ -11,6 +13,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
+from workbook.checks.references.invariant_subspaces import chain
 from workbook.checks.references.records import matrix_of, row_of
 
 
@@ -58,12 +61,8 @@ def _equation(A, H):
     rows = [sp.Matrix(H)]
     while True:
         following = rows[-1] * sp.Matrix(A)
-        relations = (
-            DomainMatrix.from_Matrix(sp.Matrix.vstack(*rows, following).T)
-            .to_field()
-            .nullspace()
-            .to_Matrix()
-        )
+        columns = DomainMatrix.from_Matrix(sp.Matrix.vstack(*rows, following).T)
+        relations = columns.to_field().nullspace().to_Matrix()
         if relations.rows:
             return tuple(relations[0, :] / relations[0, len(rows)])
         rows.append(following)
@@ -71,17 +70,11 @@ def _equation(A, H):
 
 def _violates(equation, A, H):
     """Return whether some motion of the system does not satisfy the equation."""
-    row, total = sp.Matrix(H), sp.zeros(1, sp.Matrix(A).rows)
-    for coefficient in equation:
-        total, row = total + coefficient * row, row * sp.Matrix(A)
-    return not total.is_zero_matrix
+    rows = sp.Matrix.vstack(*chain(sp.Matrix(H), A, len(equation)))
+    return not (sp.Matrix([equation]) * rows).is_zero_matrix
 
 
 def _text(equation):
     """Return the equation for z as text, with primes for derivatives."""
-    order = len(equation) - 1
-    names = ["z", *("z" + "'" * k for k in range(1, order + 1))]
-    terms = [
-        name if c == 1 else f"{c} {name}" for c, name in reversed(list(zip(equation, names))) if c
-    ]
+    terms = [f"{'' if c == 1 else f'{c} '}z" + "'" * k for k, c in enumerate(equation) if c][::-1]
     return " + ".join(terms).replace("+ -", "- ") + " = 0"

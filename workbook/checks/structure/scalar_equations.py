@@ -8,6 +8,8 @@ all of these values, so neither the arrangement of its sides nor a factor matter
 given as a combination of x it is the first coordinate of the controllable canonical form (2.4): the
 combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the
 coefficient 1, and not before.
+
+No check here is declared by a reference: any arrangement of an equation is right.
 """
 
 import numpy as np
@@ -17,7 +19,8 @@ from sympy.core.function import AppliedUndef
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, UnsuitableData, Wrong, judged
-from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.exceptional_values import judge_where_generic
+from workbook.checks.references.invariant_subspaces import chain
 from workbook.checks.references.records import controlled_pair, observed_pair
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at, uncertainty_at
@@ -55,7 +58,7 @@ def scalar_equation(answer, system, motion, control, parameters=()):
         )
         claim.judge(numeric_system.A, numeric_system.B, row, values, canonical=canonical)
     pair = controlled_pair(system, parameters) if canonical else observed_pair(system, parameters)
-    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.generic_condition)
+    claim.judge_where_generic(pair)
     return "it is linear, of the order of the system, and " + (
         "the first canonical coordinate satisfies it at random states and controls"
         if canonical
@@ -116,9 +119,7 @@ class _LinearEquation:
 
     def __init__(self, answer, motion, control, parameters):
         (self.time,), self.names = motion.args, (motion.func.__name__, control.func.__name__)
-        sides = [
-            self._in_data_symbols(side, motion, control, parameters) for side in self._sides(answer)
-        ]
+
         self.derivatives = [
             [sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names
         ]
@@ -127,34 +128,29 @@ class _LinearEquation:
             for function, symbols in zip((motion, control), self.derivatives)
             for k, symbol in enumerate(symbols)
         }
-        left, right = (side.xreplace(substitutions) for side in sides)
+        left, right = (
+            self._in_data_symbols(side, motion, control, parameters).xreplace(substitutions)
+            for side in self._sides(answer)
+        )
         difference = sp.expand(left - right)
         self.coefficients = [
             [self._coefficient(difference, symbol) for symbol in symbols]
             for symbols in self.derivatives
         ]
-        constant_term = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
-        if constant_term.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or (
-            constant_term != 0 and sp.simplify(constant_term) != 0
-        ):
+        constant = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
+        if constant.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or sp.simplify(constant) != 0:
             raise Wrong(
                 f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
                 "your equation has a term without any of them, so that it fails at rest without control"
             )
 
-    def judge_everywhere(self, order, parameters, condition):
-        """Judge that the equation is defined and keeps its order wherever `condition()` holds."""
+    def judge_where_generic(self, pair):
+        """Judge that the equation is defined and keeps its order for all parameters."""
+        undefined = "your equation is undefined"
+        dropped = "the highest derivative falls out of your equation"
         of_motion, of_control = self.coefficients
-        judge_everywhere(
-            sp.Matrix([of_motion + of_control]), parameters, condition, "your equation is undefined"
-        )
-        judge_everywhere(
-            sp.Matrix([of_motion[order]]),
-            parameters,
-            condition,
-            "your equation is undefined",
-            "the highest derivative falls out of your equation",
-        )
+        judge_where_generic(sp.Matrix([of_motion + of_control]), pair, undefined)
+        judge_where_generic(sp.Matrix([of_motion[pair.order]]), pair, undefined, dropped)
 
     def judge(self, A, b, c, values, canonical=False):
         """Judge that the equation has the order of the system and holds for y = c x.
@@ -173,16 +169,13 @@ class _LinearEquation:
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
         y, _u = self.names
         if not present[0] or max(present[0]) != n:
-            order_text = (
-                f"its highest derivative of {y} is of order {max(present[0])}"
-                if present[0]
-                else f"{y} does not occur in it"
+            order = f"its highest derivative of {y} is of order {max(present[0], default=0)}"
+            raise Wrong(
+                f"the equation has to be of order {n}, as the system is; "
+                + (order if present[0] else f"{y} does not occur in it")
             )
-            raise Wrong(f"the equation has to be of order {n}, as the system is; {order_text}")
         highest = max(max(present[1], default=0), n - 1)
-        rows = [c]
-        while len(rows) <= n:
-            rows.append(rows[-1] * A)
+        rows = chain(c, A, n + 1)
         observability = sp.Matrix.vstack(*rows[:n])
         if observability.det() == 0:
             raise UnsuitableData("y does not determine the state: its equation is not the system")
@@ -220,21 +213,15 @@ class _LinearEquation:
                 )
         random, unforced = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
-            state = random.integers(1, 6, n + highest + 1) * random.choice(
-                (-1.0, 1.0), n + highest + 1
-            )
+            size = n + highest + 1
+            state = random.integers(1, 6, size) * random.choice((-1.0, 1.0), size)
             if unforced:
                 state[n:] = 0
             if self._fails(numbers, output_map, state):
                 break
-        x = ", ".join(number_text(s) for s in state[:n])
-        control = (
-            f"{u} = 0"
-            if unforced
-            else ", ".join(
-                f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])
-            )
-        )
+        x = ", ".join(map(number_text, state[:n]))
+        controls = [f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])]
+        control = f"{u} = 0" if unforced else ", ".join(controls)
         hint = "" if unforced else "without control it is right; "
         raise Wrong(
             f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your "
@@ -242,19 +229,13 @@ class _LinearEquation:
         )
 
     def _terms(self, numbers, output_map, state):
-        n = output_map.shape[0] - 1
-        return np.concatenate(
-            [
-                np.array(numbers[0][: n + 1]) * (output_map @ state),
-                np.array(numbers[1])[: len(state) - n] * state[n:],
-            ]
-        )
+        n, (of_motion, of_control) = len(output_map) - 1, map(np.array, numbers)
+        motion = of_motion[: n + 1] * (output_map @ state)
+        return np.concatenate([motion, of_control[: len(state) - n] * state[n:]])
 
     def _fails(self, numbers, output_map, state):
-        terms, uncertainties = (
-            self._terms(numbers, output_map, state),
-            self._terms(self.uncertain, output_map, state),
-        )
+        terms = self._terms(numbers, output_map, state)
+        uncertainties = self._terms(self.uncertain, output_map, state)
         return not abs(sum(terms)) <= EXACT * sum(abs(terms)) + sum(abs(uncertainties))
 
     def _sides(self, answer):
@@ -269,10 +250,10 @@ class _LinearEquation:
                 "derivatives, "
                 f"such as `{y}.diff({self.time})`; with `==` Python compares the sides at once"
             )
-        if any(
-            not isinstance(side, sp.Expr)
-            or isinstance(side, sp.MatrixBase)
-            or side.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
+        undefined = sp.nan, sp.zoo, sp.oo, -sp.oo
+        if not all(
+            isinstance(side, sp.Expr)
+            and not (isinstance(side, sp.MatrixBase) or side.has(*undefined))
             for side in sides
         ):
             raise Invalid(
@@ -283,33 +264,17 @@ class _LinearEquation:
 
     def _in_data_symbols(self, side, motion, control, parameters):
         """Return a side in the functions and symbols of the data, with derivatives carried out."""
-        symbols_by_name = {symbol.name: symbol for symbol in (self.time, *parameters)}
-        foreign = {s.name for s in side.free_symbols if s.name not in symbols_by_name}
-        side = side.xreplace(
-            {s: symbols_by_name[s.name] for s in side.free_symbols if s.name in symbols_by_name}
-        )
-        functions = {}
-        for function in side.atoms(AppliedUndef):
-            matching = [
-                f
-                for f in (motion, control)
-                if f.func.__name__ == function.func.__name__ and f.args == function.args
-            ]
-            functions |= {function: matching[0]} if matching else {}
-            foreign |= set() if matching else {str(function)}
-        if foreign:
-            allowed = ", ".join([str(motion), str(control), *(s.name for s in parameters)])
+        known = {str(part): part for part in (motion, control, *parameters, self.time)}
+        names = {s: s.name for s in side.free_symbols}
+        names |= {function: str(function) for function in side.atoms(AppliedUndef)}
+        if foreign := {*names.values()} - known.keys():
             raise Invalid(
-                f"the equation contains {', '.join(sorted(foreign))}; expected only {allowed} and "
-                f"derivatives with respect to {self.time}"
+                f"the equation contains {', '.join(sorted(foreign))}; expected only "
+                f"{', '.join([*known][:-1])} and derivatives with respect to {self.time}"
             )
-        side = side.xreplace(functions)
-        derivatives = side.atoms(sp.Derivative)
-        if any(
-            v != self.time or not count.is_Integer
-            for d in derivatives
-            for v, count in d.variable_count
-        ):
+        side = side.xreplace({part: known[name] for part, name in names.items()})
+        counts = (pair for d in side.atoms(sp.Derivative) for pair in d.variable_count)
+        if any(v != self.time or not count.is_Integer for v, count in counts):
             raise Invalid(
                 f"a derivative is not one with respect to {self.time}, a definite number of times"
             )
@@ -368,13 +333,10 @@ class _LinearEquation:
 
 def _first_coordinate(A, b):
     """Return the row c with c b = c A b = ... = 0 and c A^(n-1) b = 1."""
-    columns = [b]
-    while len(columns) < A.rows:
-        columns.append(A * columns[-1])
-    W = sp.Matrix.hstack(*columns)
+    W = sp.Matrix.vstack(*chain(b.T, A.T, A.rows))
     if W.det() == 0:
         raise UnsuitableData("there is no canonical form: the control does not reach every state")
-    return W.T.LUsolve(sp.Matrix([0] * (A.rows - 1) + [1])).T
+    return W.LUsolve(sp.Matrix([0] * (A.rows - 1) + [1])).T
 
 
 def _floats(matrix):

@@ -29,10 +29,8 @@ def are_similar(A, H, new_A, new_H, tolerance, reference=None, uncertainty=()):
     if tolerance > 1e-6 and not _same_polynomial(new_A, reference, uncertainty):
         return False
     rows, n = len(new_A), len(A)
-    weight, unit = (
-        max(np.linalg.norm(H), 1e-300),
-        max(np.linalg.norm(A) + np.linalg.norm(new_A), 1e-300),
-    )
+    weight, unit = np.linalg.norm(H), np.linalg.norm(A) + np.linalg.norm(new_A)
+    weight, unit = max(weight, 1e-300), max(unit, 1e-300)
     scale = max(np.linalg.norm(new_H), 1e-300)
     row_identity, column_identity = np.eye(rows), np.eye(n)
     # Row by row: the entry (i, j) of T is number n i + j of the unknowns, in units in which H and
@@ -45,17 +43,15 @@ def are_similar(A, H, new_A, new_H, tolerance, reference=None, uncertainty=()):
     )
     right_side = np.concatenate([np.zeros(rows * n), (H / weight).ravel()])
     u, sizes, v = np.linalg.svd(equations)
-    count = int((sizes > 0.5 * tolerance).sum()) if tolerance > 1e-6 else int((sizes > 1e-9).sum())
+    count = int((sizes > (0.5 * tolerance if tolerance > 1e-6 else 1e-9)).sum())
     particular = v[:count].T.conj() @ ((u[:, :count].T.conj() @ right_side) / sizes[:count])
     if not np.linalg.norm(equations @ particular - right_side) <= max(2 * tolerance, 1e-8):
         return False
     random, free = np.random.default_rng(4), v[count:]
     for _ in range(3):
         step = free.T.conj() @ random.normal(size=len(free)) if len(free) else 0
-        spread = np.linalg.svd(
-            (particular + max(np.linalg.norm(particular), 1.0) * step).reshape(rows, n),
-            compute_uv=False,
-        )
+        solution = (particular + max(np.linalg.norm(particular), 1.0) * step).reshape(rows, n)
+        spread = np.linalg.svd(solution, compute_uv=False)
         if spread.size == 0 or spread[-1] > (1e-3 if tolerance > 1e-6 else 1e-8) * spread[0]:
             return True
     return False
@@ -87,14 +83,8 @@ def _as_fractions(number):
     size = abs(number)
     if not size or number.imag:
         return number
-    return next(
-        (
-            round(number.real * q) / q
-            for q in range(1, 61)
-            if abs(round(number.real * q) / q - number.real) <= half_unit(size)
-        ),
-        number,
-    )
+    fractions = (round(number.real * q) / q for q in range(1, 61))
+    return next((x for x in fractions if abs(x - number.real) <= half_unit(size)), number)
 
 
 def difference_text(A, new_A, part, part_output, values, side):

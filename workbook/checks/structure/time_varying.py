@@ -2,6 +2,8 @@
 
 Where the row H(t) changes, the system is a `Varying`. Unobservable states are asked for in
 `observability.py`.
+
+No check here is declared by a reference: each has samples of its own, which would make it longer.
 """
 
 from math import comb
@@ -70,13 +72,9 @@ def observability_matrix(claim, system, parameters):
     """
     n = system.A.rows
     slopes = [system.H.diff(system.time, k) if k else system.H for k in range(n)]
-    for values in in_every_case(
-        signed_values([system.time, *parameters], positive=[system.time]), claim
-    ):
-        rows, powers = (
-            _at(sp.Matrix.vstack(*slopes), values),
-            [_at(system.A**k, values) for k in range(n)],
-        )
+    for values in _at_times(claim, system, parameters):
+        rows = _at(sp.Matrix.vstack(*slopes), values)
+        powers = [_at(system.A**k, values) for k in range(n)]
         # The derivative of order k of the product H(t) x(t), by the Leibniz rule.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
 
@@ -86,15 +84,10 @@ def observability_matrix(claim, system, parameters):
                     f"row {k + 1} of your matrix leaves out that H changes with time: the "
                     "derivative of z = H(t) x has one term more"
                 )
-            derivative_text = (
-                "z itself"
-                if k == 0
-                else "the derivative of z"
-                if k == 1
-                else f"the derivative of z of order {k}"
-            )
+            order = f" of order {k}" if k > 1 else ""
+            derivative = f"the derivative of z{order}" if k else "z itself"
             return (
-                f"row {k + 1} times x has to be {derivative_text}; at {rounded_text(values)} it is not, in "
+                f"row {k + 1} times x has to be {derivative}; at {rounded_text(values)} it is not, in "
                 f"column {j + 1}: there your matrix has {number_text(claimed[k, j])}"
             )
 
@@ -162,15 +155,11 @@ def frozen_determinant(claim, system, parameters):
     >>> checks.frozen_determinant(0, pair, []).status
     'wrong'
     """
-    for values in in_every_case(
-        signed_values([system.time, *parameters], positive=[system.time]), claim
-    ):
+    for values in _at_times(claim, system, parameters):
         matrix, row = _at(system.A, values), _at(system.H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(system.A.rows)]
-        scale, claimed = (
-            np.prod([np.linalg.norm(r) for r in rows]),
-            value_at(claim, values, "this determinant"),
-        )
+        scale = np.prod([np.linalg.norm(r) for r in rows])
+        claimed = value_at(claim, values, "this determinant")
         uncertain = uncertainty_at(claim, values)
         if not agree(claimed, np.linalg.det(rows), claim, scale, uncertain=uncertain):
             raise Wrong(
@@ -180,8 +169,17 @@ def frozen_determinant(claim, system, parameters):
     return f"it is the determinant{tried_text(parameters, 'times')}"
 
 
+def _at_times(claim, system, parameters):
+    """Return samples of a positive time and of the parameters, with those for cases of an answer."""
+    time = system.time
+    return in_every_case(signed_values([time, *parameters], positive=[time]), claim)
+
+
 def _exponentials(matrix, times):
-    """Return e^{At} at many times at once, by Taylor's series for a part of each and squaring."""
+    """Return e^{At} at many times at once, by Taylor's series for a part of each and squaring.
+
+    SciPy's `expm` takes the times one by one, which costs several times as much.
+    """
     squarings = max(0, int(np.ceil(np.log2(2 * np.linalg.norm(matrix) * times.max() + 1e-300))))
     parts = times[:, None, None] * (matrix / 2.0**squarings)  # of norm 1/2 at most
     exponentials = term = np.broadcast_to(np.eye(len(matrix)), parts.shape)

@@ -14,7 +14,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Number, Table, Vectors
 from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tolerance, rounds_to
 from workbook.checks.contract.verdict import UnsuitableData, Wrong
-from workbook.checks.references.exceptional_values import judge_everywhere
+from workbook.checks.references.exceptional_values import judge_where_generic
 from workbook.checks.references.invariant_subspaces import to_floats
 from workbook.checks.references.pairs import point_of, special_values
 from workbook.checks.structure.dual_questions import existence_text
@@ -52,18 +52,11 @@ def judge_basis(vectors, pair, side, where_suffix=None):
                 raise Wrong(
                     f"your vector {k} is zero{where}; a basis consists of vectors that are not"
                 )
-            if not (
-                abs(vector - space @ (space.T @ vector))
-                <= EXACT * size + projection @ uncertainties[k - 1]
-            ).all():
+            bound = EXACT * size + projection @ uncertainties[k - 1]
+            if not (abs(vector - space @ (space.T @ vector)) <= bound).all():
                 raise Wrong(f"{_nonzero_text(pair, point, vector, k, side)}{where}")
-        if (
-            len(claimed)
-            and np.linalg.svd(claimed / np.linalg.norm(claimed, axis=1)[:, None], compute_uv=False)[
-                -1
-            ]
-            < 1e-2 * tolerance
-        ):
+        directions = claimed / np.linalg.norm(claimed, axis=1)[:, None]
+        if len(claimed) and np.linalg.svd(directions, compute_uv=False)[-1] < 1e-2 * tolerance:
             raise Wrong(f"your {len(claimed)} vectors are linearly dependent{where}")
         if len(claimed) < len(unobservable):
             raise Wrong(
@@ -71,10 +64,9 @@ def judge_basis(vectors, pair, side, where_suffix=None):
                 "answer"
             )
     if vectors:
-        judge_everywhere(
+        judge_where_generic(
             sp.Matrix(vectors).T,
-            pair.parameters,
-            lambda: pair.generic_condition,
+            pair,
             "one of your vectors is undefined",
             "your vectors are linearly dependent" if len(vectors) > 1 else "your vector is zero",
         )
@@ -116,18 +108,17 @@ def judge_exceptional_bases(claim, pair, side, at_value):
     The values are finitely many and rational; `at_value(value)` is the pair without the parameter.
     """
     (parameter,) = pair.parameters
-    exceptional = _exceptional_values(pair, parameter)
+
+    def text(value):
+        return f"{parameter} = {sp.N(value, 4) if value.has(sp.Float) else value}"
+
     named = yield SameMembers(
         [value for value, _ in claim],
-        exceptional,
+        _exceptional_values(pair, parameter),
         _values_agree,
-        lambda value: (
-            f"at {parameter} = {sp.N(value, 4) if value.has(sp.Float) else value} {side.none_free}"
-        ),
+        lambda value: f"at {text(value)} {side.none_free}",
         lambda *_: f"the system is {side.fails} at a value that your answer does not name",
-        lambda value: (
-            f"the value {parameter} = {sp.N(value, 4) if value.has(sp.Float) else value} is listed twice"
-        ),
+        lambda value: f"the value {text(value)} is listed twice",
     )
     for value, (_, basis) in zip(named, claim):
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
@@ -142,16 +133,11 @@ def _exceptional_values(pair, parameter):
     if all(pair.unobservable):
         raise UnsuitableData("there are unobservable states for all values in general position")
     values = special_values(pair.boundaries, parameter)
-    real = {
-        root
-        for poly in pair.boundaries
-        for root in sp.Poly(poly, parameter).real_roots()
-        if not root.is_Rational
-    }
+    roots = {root for poly in pair.boundaries for root in sp.Poly(poly, parameter).real_roots()}
     if any(
         pair.dimension_at({parameter: root})
-        for root in real
-        if allowed(parameter, 1 if root > 0 else -1)
+        for root in roots
+        if not root.is_Rational and allowed(parameter, 1 if root > 0 else -1)
     ):
         raise UnsuitableData("there are unobservable states at an irrational value")
     return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]

@@ -9,7 +9,7 @@ from workbook.checks.contract.tolerance import agree
 from workbook.checks.tools.values import entry_uncertainties, matrix_at
 
 
-def wrong_degree_text(claim, values, symbols, constant, linear, size, name):
+def wrong_degree_text(claim, values, unknown, terms, size, name):
     """Return which terms of a quadratic right-hand side are wrong, by their degree in symbols.
 
     Parameters
@@ -18,24 +18,24 @@ def wrong_degree_text(claim, values, symbols, constant, linear, size, name):
         The right-hand side of the answer, which is wrong at the values.
     values : dict
         {symbol: value}.
-    symbols : list of sympy.Symbol
-        The entries of the unknown matrix.
-    constant, linear : numpy.ndarray
-        The true terms without them and the true linear terms.
+    unknown : sympy.Matrix
+        The unknown matrix, of symbols.
+    terms : list of numpy.ndarray
+        The true terms: two that are linear in it, the one without it, perhaps others.
     size : numpy.ndarray
         The size of the terms of each entry.
     name : str
         The name of the unknown matrix, for the message.
     """
-    uncertain = entry_uncertainties(claim, values)
+    uncertain, symbols = entry_uncertainties(claim, values), unknown.free_symbols
 
     def right(numbers, true):
         return agree(numbers, true, claim, size, uncertain=uncertain).all()
 
-    if not right(matrix_at(claim, values | dict.fromkeys(symbols, sp.S.Zero)), constant):
+    if not right(matrix_at(claim, values | dict.fromkeys(symbols, sp.S.Zero)), terms[2]):
         return f"look at the terms that do not contain {name}"
     opposite = matrix_at(claim, values | {s: -values[s] for s in symbols})
-    if not right((matrix_at(claim, values) - opposite) / 2, linear):
+    if not right((matrix_at(claim, values) - opposite) / 2, terms[0] + terms[1]):
         return f"look at the terms that are linear in {name}"
     return f"look at the terms that are quadratic in {name}"
 
