@@ -94,10 +94,8 @@ def follow(law, reference, batch):
 def _late_states(law, reference, batch, resolution):
     """Return the states reached, the indices of those that are late, and the remaining times."""
     for x, elapsed in _closed_loop(law, reference.plant, batch, *resolution):
-        time, remaining_time = (
-            reference.solve(x, batch.case).time,
-            batch.time * (1 + SLOWER) + 1e-3 - elapsed,
-        )
+        time = reference.solve(x, batch.case).time
+        remaining_time = batch.time * (1 + SLOWER) + 1e-3 - elapsed
         # Rounding may make the target unreachable on the way; only a finite loss of time counts.
         if (np.isfinite(time) & (time > remaining_time)).all():
             break
@@ -112,11 +110,9 @@ def _closed_loop(law, plant, batch, steps, instant_count):
     instants of each step; bisection between two of them finds the switching time.
     """
     x, case = batch.x.copy(), batch.case
-    t, h, last_switch = (
-        np.zeros(len(x)),
-        FOLLOWED[-1] * batch.time / steps,
-        np.full(len(x), -np.inf),
-    )
+    t = np.zeros(len(x))
+    h = FOLLOWED[-1] * batch.time / steps
+    last_switch = np.full(len(x), -np.inf)
     low, high = plant.bounds
     offsets = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
 
@@ -159,14 +155,10 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                     u[moved_rows],
                     np.concatenate([instants[:, 1:].ravel(), delay[delayed_rows]]),
                 )
-                claimed, count = (
-                    holds(points, u[moved_rows], case[moved_rows]),
-                    len(active) * instant_count,
-                )
-                held, delayed = (
-                    claimed[:count].reshape(-1, instant_count),
-                    np.zeros(len(active), dtype=bool),
-                )
+                claimed = holds(points, u[moved_rows], case[moved_rows])
+                count = len(active) * instant_count
+                held = claimed[:count].reshape(-1, instant_count)
+                delayed = np.zeros(len(active), dtype=bool)
                 delayed[delayed_rows] = ~claimed[count:]
                 switching, k = ~held.all(axis=1), held.argmin(axis=1)[:, None]
                 before, after = (np.take_along_axis(instants, j, axis=1)[:, 0] for j in (k, k + 1))

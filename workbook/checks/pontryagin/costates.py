@@ -73,10 +73,7 @@ def optimal_costate(claims, problem, time, parameters=None):
                 raise Wrong(f"{where}one of your costates is {NO_NUMBER}, {part_text}")
             # H is the product of these extended costates with the rates, the last of which is the
             # running cost.
-            extended, process_point = (
-                np.append(psi, -sign),
-                (best, y, u, costate.rounding),
-            )
+            extended, process_point = np.append(psi, -sign), (best, y, u, costate.rounding)
             psi_uncertainty, slope_uncertainty = costate.uncertainty(t, values)
             psi_uncertainty = psi_uncertainty + BEFORE * t * np.abs(slope)
             location = f"{where}{process_part_text(t, best.duration)}"
@@ -186,12 +183,10 @@ def _require_maximum(extended, best, y, u, rounding, units, duration, location, 
         extended * best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))
     )
     fields = [best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))]
-    H, greatest_rival = (
-        terms.sum(),
-        max(
-            rival.sum() - uncertainty @ np.abs(field - fields[0])
-            for rival, field in zip(rival_terms, fields[1:])
-        ),
+    H = terms.sum()
+    greatest_rival = max(
+        rival.sum() - uncertainty @ np.abs(field - fields[0])
+        for rival, field in zip(rival_terms, fields[1:])
     )
     size = max(abs(H), *(abs(rival.sum()) for rival in rival_terms)) + np.abs(terms).sum()
     if not H >= greatest_rival - 10 * rounding * size:

@@ -27,11 +27,8 @@ class FeedbackLaw:
         self.state, (self.control,) = list(problem.dynamics), problem.controls
         law_parameters = [p for p in parameters if p not in self.state]
         symbols = [*self.state, *law_parameters, *([time] if time else [])]
-        self._timed, self._parameters, self.implicit = (
-            time is not None,
-            law_parameters,
-            isinstance(answer, sp.Eq),
-        )
+        self._timed, self._parameters = time is not None, law_parameters
+        self.implicit = isinstance(answer, sp.Eq)
         if self.implicit:
             left, right = (
                 coercion.as_expression(side, [self.control, *symbols]) for side in answer.args

@@ -208,13 +208,8 @@ class _Motion:
     """
 
     def __init__(self, claim, best, where, rounding=COMPUTED, perturbed=()):
-        self.perturbed = perturbed
-        self.functional, self.best, self.where, self.rounding = (
-            best.functional,
-            best,
-            where,
-            rounding,
-        )
+        self.functional, self.best, self.where = best.functional, best, where
+        self.rounding, self.perturbed = rounding, perturbed
         time, n = self.functional.time, self.functional.order
         self._at = real_function([time], [sp.diff(claim, time, k) for k in range(n + 1)])
         self._claim_at = [real_function([time], [sp.diff(claim, time, k)]) for k in range(n)]

@@ -80,10 +80,8 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
-        true, claimed = (
-            final_quantity(*state, *constants, *case)[0],
-            value_at(claim, values, str(quantity)),
-        )
+        true = final_quantity(*state, *constants, *case)[0]
+        claimed = value_at(claim, values, str(quantity))
         # how far relative errors of the states could move the quantity
         shifted = [final_quantity(*y, *constants, *case)[0] for y in state + np.diag(1e-6 * sizes)]
         size = abs(true) + 1e6 * sum(abs(value - true) for value in shifted)
@@ -133,10 +131,8 @@ def _final_states(problem, law, time, unknown, parameters):
     """
     unknown, parameters = dict(unknown), dict(parameters)
     names, cases = [*unknown, *parameters], np.array(sample_cases(parameters)).T
-    run, terminal_conditions = (
-        _Run(problem, law, time, names),
-        real_function([*problem.state, *names], list(problem.terminal)),
-    )
+    run = _Run(problem, law, time, names)
+    terminal_conditions = real_function([*problem.state, *names], list(problem.terminal))
     low, high = (
         np.array([float(getattr(domain, side)) for domain in unknown.values()])[:, None]
         for side in ("inf", "sup")
@@ -145,10 +141,8 @@ def _final_states(problem, law, time, unknown, parameters):
     initial_points = (
         low + (high - low) * np.array(list(itertools.product(shares, repeat=len(unknown)))).T
     )
-    points, point_cases = (
-        np.tile(initial_points, cases.shape[1]),
-        np.repeat(cases, initial_points.shape[1], axis=1),
-    )
+    points = np.tile(initial_points, cases.shape[1])
+    point_cases = np.repeat(cases, initial_points.shape[1], axis=1)
 
     def residual(candidates, candidate_cases):
         states = run(*candidates, *candidate_cases)[1]

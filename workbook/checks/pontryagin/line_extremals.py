@@ -11,10 +11,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import Law
 from workbook.checks.pontryagin.synthesis_units import in_natural_units, time_unit
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.values import left_open

@@ -12,11 +12,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.direction import directed
-from workbook.checks.contract.tolerance import (
-    EXACT,
-    agree,
-    in_decimals,
-)
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     RIVALS,
@@ -250,10 +246,8 @@ def maximising_control(answer, problem, costates, domain=None):
                 ],
             )
         )
-        claimed_values, rival_values = (
-            H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1],
-            H(*numbers, *rivals)[0],
-        )
+        claimed_values = H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1]
+        rival_values = H(*numbers, *rivals)[0]
         if not claimed_values.max() >= np.nanmax(rival_values) - 1e-9 * np.ptp(
             rival_values
         ) - 0.01 * np.ptp(claimed_values):
@@ -302,10 +296,8 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             for slope, (low, high) in zip(numbers, control_bounds(problem, values))
         ]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(remaining_terms)]
-        claimed, expected = (
-            value_at(claim, values, "the greatest value of H"),
-            sum(parts) + sum(terms),
-        )
+        claimed = value_at(claim, values, "the greatest value of H")
+        expected = sum(parts) + sum(terms)
         if not agree(
             claimed,
             expected,

@@ -14,22 +14,9 @@ from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.changes_compared import LOCATED
 from workbook.checks.pontryagin.parameter_ranges import with_ranges
-from workbook.checks.pontryagin.simulation import (
-    AT_OWN_END,
-    Path,
-    on_target,
-    require_optimal,
-)
-from workbook.checks.pontryagin.time_functions import (
-    INTEGRATED,
-    Control,
-    Steering,
-    values_of,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    free_at_the_start,
-)
+from workbook.checks.pontryagin.simulation import AT_OWN_END, Path, on_target, require_optimal
+from workbook.checks.pontryagin.time_functions import INTEGRATED, Control, Steering, values_of
+from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.wording import prefix_text
@@ -123,10 +110,8 @@ def _require_matching_end(steering, values, best, problem, where, source):
     if not (ends := steering.ends(values, counted)):
         return
     (begin, end), uncertainties = [0.0, *ends][-2:], [0.0, *steering.end_uncertainties(values)][-2:]
-    early, late = (
-        end < best.duration * (1 - steering.rounding) - uncertainties[1],
-        begin > best.duration * (1 + steering.rounding) + uncertainties[0],
-    )
+    early = end < best.duration * (1 - steering.rounding) - uncertainties[1]
+    late = begin > best.duration * (1 + steering.rounding) + uncertainties[0]
     if problem.free_time:
         own_path, cut_path = (
             Path(best, steering.sections(values, until), where) for until in (end, best.duration)
@@ -179,10 +164,8 @@ def _require_jumps(sections, best, rounding, where):
                 f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
             )
     for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
-        bound_value, slack = (
-            controls[k],
-            max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control),
-        )
+        bound_value = controls[k]
+        slack = max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control)
         if abs(controls[inner] - bound_value) < slack and (
             point := _gradual_change_time(
                 sections, times[inner], bound_value, end, None, slack, best.duration

@@ -92,10 +92,8 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
-            claimed, true = (
-                float(curve(y[k], *(float(values[p]) for p in other_parameters))[0]),
-                y[1 - k],
-            )
+            claimed = float(curve(y[k], *(float(values[p]) for p in other_parameters))[0])
+            true = y[1 - k]
             points.append({variable: y[k], **{p: values[p] for p in other_parameters}})
             uncertain = uncertainty_at(claim, points[-1])
             if not np.isfinite(claimed):
@@ -165,16 +163,12 @@ def _require_scale_invariance(law, values, best, factors):
     """Raise `Wrong` for a law that changes with the units, in which the problem is the same."""
     times, states, _ = _compared_points(best, BEFORE[law.decimals])
     weights = [float(factors[x]) for x in law.state]
-    scaled_states, scaled_values = (
-        np.array(weights)[:, None] * states,
-        {p: v * factors[p] for p, v in values.items()},
-    )
+    scaled_states = np.array(weights)[:, None] * states
+    scaled_values = {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    claimed, expected = (
-        law(scaled_states, times * time, scaled_values, bounds),
-        scale * law(states, times, values, best.bounds),
-    )
+    claimed = law(scaled_states, times * time, scaled_values, bounds)
+    expected = scale * law(states, times, values, best.bounds)
     for k in first_difference(
         claimed,
         expected,
@@ -224,10 +218,8 @@ def _compared_points(best, share):
 
 def _points_near_change(best, j, side):
     """Yield (time, state, control) between a change and the next time of a varying control."""
-    next_control, control_at_change = (
-        best.controls[j + side],
-        best.controls[j] if side < 0 else best.controls[j + 1],
-    )
+    next_control = best.controls[j + side]
+    control_at_change = best.controls[j] if side < 0 else best.controls[j + 1]
     if side > 0:  # at the change only the control of the arc before it is known
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
         control_at_change = v - (w - v) * t / (s - t)
@@ -260,9 +252,9 @@ def _require_jumps(law, values, best):
     for j, before, after in best.changes():
         if before is None or after is None:
             continue
-        t, (before_jump, after_jump) = (
-            best.times[[j]],
-            (_state_after(best, best.states[:, j], before, h)[:, None] for h in (-offset, offset)),
+        t = best.times[[j]]
+        before_jump, after_jump = (
+            _state_after(best, best.states[:, j], before, h)[:, None] for h in (-offset, offset)
         )
         slack = law.rounding * abs(after - before)
 

@@ -17,16 +17,8 @@ from workbook.checks.pontryagin.simulation import (
     require_end_conditions,
     require_single_meeting,
 )
-from workbook.checks.pontryagin.time_functions import (
-    ENDING,
-    InTime,
-    Motion,
-    jumps,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    free_at_the_start,
-)
+from workbook.checks.pontryagin.time_functions import ENDING, InTime, Motion, jumps
+from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text, round_instants
 
@@ -57,10 +49,8 @@ def optimal_motion(claims, problem, time, parameters=None):
     ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
-    motion, has_initial_value = (
-        InTime(claims, time, parameters),
-        ~np.array(free_at_the_start(problem, parameters)),
-    )
+    motion = InTime(claims, time, parameters)
+    has_initial_value = ~np.array(free_at_the_start(problem, parameters))
     # A motion that arrives in the least time is optimal, whatever its earlier states are.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):

@@ -16,17 +16,9 @@ from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.optimal_controls import ARC_ACCURACY, CONTROL_ACCURACY, MISSED_ARC
 from workbook.checks.pontryagin.parameter_ranges import with_ranges
-from workbook.checks.pontryagin.simulation import (
-    COSTS,
-    point_text,
-)
-from workbook.checks.pontryagin.time_functions import (
-    INTEGRATED,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    best_processes_at,
-)
+from workbook.checks.pontryagin.simulation import COSTS, point_text
+from workbook.checks.pontryagin.time_functions import INTEGRATED
+from workbook.checks.references.optima.best_processes import best_processes, best_processes_at
 from workbook.checks.references.optima.transfer_optima import SAMPLES
 from workbook.checks.references.optima.units import constant_of, is_time_optimal, without_constant
 from workbook.checks.references.scales import COST, TIME, judge_at_every_scale

@@ -6,11 +6,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import (
-    DECIMALS,
-    in_decimals,
-    perturbed,
-)
+from workbook.checks.contract.tolerance import DECIMALS, in_decimals, perturbed
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import endpoints, random_value
@@ -116,10 +112,8 @@ class ZeroSet:
         numbers = self._numbers(values)
         point, parameter_values = np.split(np.array(numbers), [len(self._symbols)])
         for _ in range(80):  # at double zeros each step halves the distance
-            residuals, slopes = (
-                self._values(*point, *parameter_values),
-                self._slopes(*point, *parameter_values).reshape(self._count, -1),
-            )
+            residuals = self._values(*point, *parameter_values)
+            slopes = self._slopes(*point, *parameter_values).reshape(self._count, -1)
             if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
                 return None
             step = np.linalg.lstsq(slopes, residuals, rcond=1e-12)[0]
@@ -136,10 +130,8 @@ def sample_points(problem, costates, domain, controls=True, use_known_costates=F
 
     With `use_known_costates` those that transversality determines have their values.
     """
-    generator, values = (
-        np.random.default_rng(11),
-        known_costates(problem, costates) if use_known_costates else {},
-    )
+    generator = np.random.default_rng(11)
+    values = known_costates(problem, costates) if use_known_costates else {}
     symbols = [
         *problem.state,
         *costates,

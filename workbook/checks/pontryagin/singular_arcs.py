@@ -12,9 +12,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
 from workbook.checks.contract.members import members
-from workbook.checks.contract.tolerance import (
-    agree,
-)
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     POINT_ACCURACY,
@@ -212,10 +210,8 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                     f"your {psi} depends on {arcs.control}, which can have any value at a "
                     "single instant there"
                 )
-            claimed, size = (
-                value_at(claim, values, str(psi)),
-                max(abs(values[costate]) for costate in costates),
-            )
+            claimed = value_at(claim, values, str(psi))
+            size = max(abs(values[costate]) for costate in costates)
             if not agree(
                 claimed, values[psi], claim, size, POINT_ACCURACY, uncertainty_at(claim, values)
             ):

@@ -127,10 +127,8 @@ def _require_change_on_curve(points, claim, domain, data):
         np.array([getattr(optimum, name) for _, (optimum,), *_ in points])
         for name in ("control", "case")
     )
-    curve_points, across = (
-        (first + last) / 2,
-        (first - last) / np.linalg.norm(first - last, axis=1)[:, None],
-    )
+    curve_points = (first + last) / 2
+    across = (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
     first, last = bisect(
         lambda x, rows: reference.solve(x, case[rows]).control == control[rows], first, last, 24
     )
@@ -180,11 +178,9 @@ def _sides_of(claim, domain, data, shares):
 
     The optima are at the distances `shares`; `away` is whether both motions leave the curve.
     """
-    reference, parameters, (variable, interval) = (
-        sampled_optimum(*data),
-        dict(data.parameters),
-        domain,
-    )
+    reference = sampled_optimum(*data)
+    parameters = dict(data.parameters)
+    variable, interval = domain
     relative_distance = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
     index = data.state.index(variable)
     function = real_function([variable, *parameters], [claim])

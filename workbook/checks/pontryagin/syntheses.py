@@ -24,10 +24,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import EQUAL_CONTROLS, Law, follow
 from workbook.checks.pontryagin.synthesis_units import control_unit, in_natural_units, time_unit
 from workbook.checks.pontryagin.target_points import family_of
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.tools.conditions import readings
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.values import left_open

@@ -17,10 +17,7 @@ from workbook.checks.pontryagin.synthesis_units import (
     state_units,
 )
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.references.optima.target_families import TargetFamily
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.domains import values_inside

@@ -77,11 +77,9 @@ def polar_angle_rate(claim, problem, angle):
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     generator = np.random.default_rng(9)
     for _ in range(20):
-        theta, u, r = (
-            generator.uniform(-math.pi, math.pi),
-            generator.uniform(*map(float, bounds)),
-            generator.uniform(0.3, 3),
-        )
+        theta = generator.uniform(-math.pi, math.pi)
+        u = generator.uniform(*map(float, bounds))
+        r = generator.uniform(0.3, 3)
         point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(point)) for f in problem.dynamics.values()]
         terms = np.array([point[x] * rates[1], -point[y] * rates[0]]) / r**2
@@ -198,10 +196,7 @@ def reachable_in_time(answer, problem, duration, parameters):
     def points():
         for values, best in samples:
             for part in (0.3, 0.999, 1.001, 4):
-                yield {
-                    duration: sp.Rational(f"{best.duration * part:.9g}"),
-                    **values,
-                }
+                yield {duration: sp.Rational(f"{best.duration * part:.9g}"), **values}
 
     def in_time(point):
         values = {p: point[p] for p in parameters}
@@ -343,10 +338,7 @@ def isochrone_radius(claim, problem, duration, count):
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise UnsuitableData("problem: this isochrone is no circle")
         if claimed is None or not _close(
-            claimed,
-            float(np.mean(radii)),
-            claim,
-            uncertain=uncertainty_at(claim, {count: number}),
+            claimed, float(np.mean(radii)), claim, uncertain=uncertainty_at(claim, {count: number})
         ):
             reason = no_number_text(claim, {count: number})
             message = f"is {reason}" if claimed is None else f"is {claimed:.4g}"

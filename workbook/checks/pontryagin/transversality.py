@@ -62,10 +62,8 @@ def transversality(answer, problem, costates):
         gradient = [float(sp.diff(problem.final, y).subs(values)) for y in problem.state]
         true = np.column_stack([tangents, sign * tangents @ (gradient / costate_units)])
         claimed = _affine_rows(claims, costates, values) * [*costate_units, 1]
-        extra, missing = (
-            _rank(claimed) - _rank(true),
-            _rank(np.vstack([claimed, true])) - _rank(claimed),
-        )
+        extra = _rank(claimed) - _rank(true)
+        missing = _rank(np.vstack([claimed, true])) - _rank(claimed)
         if (missing and extra >= 0) or extra > 0:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions require what need not hold: "
@@ -137,10 +135,8 @@ def _squares(hessian, slopes, constant):
 
     Zero has to be the least or the greatest value of this expression.
     """
-    minimiser, (sizes, _) = (
-        np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0],
-        np.linalg.eigh(hessian),
-    )
+    minimiser = np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0]
+    sizes, _ = np.linalg.eigh(hessian)
     size = np.abs(hessian).max()
     if (
         (sizes.min() < -1e-9 * size and sizes.max() > 1e-9 * size)

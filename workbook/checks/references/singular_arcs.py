@@ -291,10 +291,8 @@ class SingularArcs:
             slopes = self._slopes(*point, *fixed_values).reshape(len(residual), -1)
             if self._scalable:
                 costates = np.where(self._costate, point, 0.0)
-                residual, slopes = (
-                    np.append(residual, costates @ costates - 1),
-                    np.vstack([slopes, 2 * costates]),
-                )
+                residual = np.append(residual, costates @ costates - 1)
+                slopes = np.vstack([slopes, 2 * costates])
             if not (np.isfinite(residual).all() and np.isfinite(slopes).all()):
                 return None
             step = np.linalg.lstsq(slopes, residual, rcond=1e-12)[0]

@@ -16,12 +16,7 @@ from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, exactly
-from workbook.checks.tools.samples import (
-    allowed_values,
-    conjunction,
-    in_every_case,
-    random_values,
-)
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case, random_values
 from workbook.checks.tools.wording import values_text
 
 #: By how much of its size a side may seem violated at a corner that lies on it.

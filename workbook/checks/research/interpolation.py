@@ -27,11 +27,9 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
     It is an expression in the variables of the nodes. In the quantity `level` stands for the
     polynomial and `slope` for its derivative by the first variable.
     """
-    powers, places, names = (
-        _powers(motion, nodes),
-        places or {},
-        [symbol for symbol in (level, slope) if symbol],
-    )
+    powers = _powers(motion, nodes)
+    places = places or {}
+    names = [symbol for symbol in (level, slope) if symbol]
     between = sp.And(
         *(sp.And(symbol >= min(axis), symbol <= max(axis)) for symbol, axis in nodes.items())
     )

@@ -45,11 +45,8 @@ class DirectProblem:
         self._controls, bounds = zip(*controls)
         self._bounds = tuple(zip(*bounds))
         self._initial, self._terminal = [value for _, value in initial], terminal
-        self._sign, self._returns, self._parameters = (
-            (-1 if maximise else 1),
-            returns,
-            list(parameters),
-        )
+        self._sign, self._returns = -1 if maximise else 1, returns
+        self._parameters = list(parameters)
         ends = [*self._state, *parameters]
         self.rates = sp.lambdify(
             [*self._state, *self._controls, *parameters], [*self._field, self._running], "math"

@@ -145,10 +145,8 @@ class DirectProgramme(DirectProblem):
         ]
         if self._returns:
             positive.append(ca.vec(side * gap(y[:, :-1], p)))
-        controls, moduli = (
-            [u[j::degree].T for j in range(degree)],
-            [absolutes[:, j::degree] for j in range(degree)],
-        )
+        controls = [u[j::degree].T for j in range(degree)]
+        moduli = [absolutes[:, j::degree] for j in range(degree)]
         cost = 0
         inner = [int(k) for k in np.flatnonzero(free[::degree])] if degree == FINE[1] else []
         for weight, shares, mix in between:

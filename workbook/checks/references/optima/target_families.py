@@ -23,10 +23,8 @@ class TargetFamily:
         symbols = [variable, *self.parameters]
         end_point = dict(zip(state, ends))
         gradient = [sp.diff(target, v).subs(end_point, simultaneous=True) for v in state]
-        self._point, self._gradient = (
-            sp.lambdify(symbols, list(ends), "numpy"),
-            sp.lambdify(symbols, gradient, "numpy"),
-        )
+        self._point = sp.lambdify(symbols, list(ends), "numpy")
+        self._gradient = sp.lambdify(symbols, gradient, "numpy")
         self._target = state, control, bounds, field, target, ends
         self.side = (
             1 if start is None else self._starts_side(target, state, start, end_point, gradient)

@@ -63,11 +63,8 @@ class Transfer:
     """
 
     def __init__(self, problem, parameters=()):
-        self.dynamics, self.slowest, self.parameters = (
-            problem.dynamics,
-            problem.maximise,
-            list(parameters),
-        )
+        self.dynamics, self.slowest = problem.dynamics, problem.maximise
+        self.parameters = list(parameters)
         self.initial = [
             x if value is None and x in self.parameters else value
             for x, value in problem.initial.items()
