@@ -31,11 +31,7 @@ COSTATES, DETERMINED = 6, 1e-7
 CURVED = 1e-3
 
 
-@judged(
-    Expression(
-        lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters]
-    )
-)
+@judged(Expression("problem.state", "problem.control", "problem.parameters"))
 def control_equation(claim, problem, domain=None):
     """Check the right-hand side of u' = ... for a control inside its bounds that maximises H.
 

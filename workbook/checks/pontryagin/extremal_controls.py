@@ -8,7 +8,7 @@ from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
 from workbook.checks.pontryagin.simulation import parabola_range
 from workbook.checks.pontryagin.time_functions import Control, Steering
 from workbook.checks.references.natural_units import COST, TIME
-from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.optima.runge_kutta import steered
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian
 from workbook.checks.tools.domains import sample_cases
@@ -54,10 +54,10 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         """Return H under the control minus H under others: a row a step, a column a control."""
         y = np.array([float(v) for v in problem.initial.values()])
         for _, h, controls in steps:
-            y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], y, h, controls)
+            y = steered(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], controls, y, h)
         z, rows = np.concatenate([y, final_costates(*y)]), []
         for _, h, controls in reversed(steps):
-            z = _step(lambda z, v: flow(*z, v), z, -h, controls[::-1])
+            z = steered(lambda z, v: flow(*z, v), controls[::-1], z, -h)
             rows.append(
                 function(*z, controls[0])[0] - function(*z, np.linspace(low, high, RIVALS))[0]
             )
@@ -113,8 +113,3 @@ def _steps(sections, count=120):
         claimed, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
         steps += [(begin + k * h, h, claimed[2 * k : 2 * k + 3]) for k in range(count)]
     return steps
-
-
-def _step(field, y, h, controls):
-    """Return the state after a Runge-Kutta step, in which time is counted in steps."""
-    return rk4(lambda part, z: h * field(z, controls[round(2 * part)]), 0.0, y, 1.0)

@@ -35,14 +35,7 @@ UNBOUNDED = 20.0
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def pontryagin_function(claim, problem, costates, domain=None):
@@ -72,13 +65,7 @@ def pontryagin_function(claim, problem, costates, domain=None):
 
 @judged(
     Expressions(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ],
-        length="costates",
+        "problem.state", "problem.control", "costates", "problem.parameters", length="costates"
     ),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
@@ -109,14 +96,7 @@ def adjoint_equations(claims, problem, costates, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def switching_function(claim, problem, costates, control=None, domain=None):
@@ -150,14 +130,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with one control, its duration also an interval",
 )
 def switching_rate(claim, problem, costates, control=None, domain=None):
@@ -259,9 +232,7 @@ def maximising_control(answer, problem, costates, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]
-    ),
+    Expression("problem.state", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls",
 )
 def maximised_hamiltonian(claim, problem, costates, domain=None):

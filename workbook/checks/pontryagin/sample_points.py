@@ -13,6 +13,7 @@ from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.numeric_functions import LONG, real_function
 from workbook.checks.tools.samples import cached_points
 from workbook.checks.tools.substitution import real_at, substituted
+from workbook.checks.tools.values import summed_changes
 
 #: Number of points at which an identity is compared, and of other controls with which a greatest
 #: value is compared.
@@ -53,9 +54,8 @@ class ZeroSet:
             return self._largest_uncertainty
         numbers = self._numbers(values)
         residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        changes = sum(
-            np.fmax(*(abs(side(*numbers) - residuals) for side in sides))
-            for sides in self._perturbed
+        changes = summed_changes(
+            residuals, ((side(*numbers) for side in sides) for sides in self._perturbed)
         )
         steps = changes / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
         return float(

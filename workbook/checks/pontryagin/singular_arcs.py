@@ -133,14 +133,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_control(claim, problem, costates, control=None, domain=None):
@@ -186,14 +179,7 @@ def singular_control(claim, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expressions(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["problem"].parameters,
-        ],
-        length="costates",
-    ),
+    Expressions("problem.state", "problem.control", "problem.parameters", length="costates"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_costates(claims, problem, costates, control=None, domain=None):
@@ -224,14 +210,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def kelley_expression(claim, problem, costates, control=None, domain=None):

@@ -22,6 +22,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import summed_changes
 from workbook.checks.tools.wording import NO_NUMBER
 
 #: Accuracy of a switching curve, relative to its coordinates.
@@ -105,10 +106,7 @@ def _require_extremal_switchings(claim, domain, data):
         real_function(symbols, [expression])(*numbers)[0]
         for expression in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
     )
-    uncertainty = sum(
-        np.fmax(abs(below - claimed), abs(above - claimed))
-        for below, above in zip(sides[::2], sides[1::2])
-    )
+    uncertainty = summed_changes(claimed, zip(sides[::2], sides[1::2]))
     for k in np.flatnonzero(~(abs(claimed - true) <= LOCATED * abs(true) + uncertainty))[:1]:
         raise Wrong(
             f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not "

@@ -56,7 +56,7 @@ def meeting_time(claim, problem, count):
     return "it is the time of this meeting, for several numbers"
 
 
-@judged(Expression("angle", lambda data: list(data["problem"].controls)))
+@judged(Expression("angle", "problem.controls"))
 def polar_angle_rate(claim, problem, angle):
     """Check the rate of the polar angle of a planar state, in the angle and the control.
 
@@ -93,7 +93,7 @@ def polar_angle_rate(claim, problem, angle):
     return "it is the rate at which the direction turns, at random states and controls"
 
 
-@judged(Expression(lambda data: list(data["problem"].dynamics)))
+@judged(Expression("problem.dynamics"))
 def least_rate(claim, quantity, problem):
     """Check the least rate of change of a quantity that an admissible control can give.
 

@@ -9,6 +9,18 @@ from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.tools.domains import sample_cases
 
+#: IPOPT's options in all searches; a search that fails is answered by what comes next.
+IPOPT = {
+    "ipopt.print_level": 0,
+    "print_time": False,
+    "ipopt.sb": "yes",
+    "ipopt.bound_relax_factor": 0.0,
+    "ipopt.acceptable_iter": 0,
+    "show_eval_warnings": False,
+    "error_on_fail": False,
+    "calc_lam_p": False,
+}
+
 
 def statement(problem):
     """Return the statement of a `pontryagin.Problem` as a tuple, by which a search is kept."""
