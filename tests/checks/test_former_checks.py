@@ -8,12 +8,17 @@ from case import CHECKS
 
 from workbook import checks
 from workbook.checks.contract.former_checks import FORMER
+from workbook.systems import Controlled
 
 x, v, p = sp.symbols("x v p", real=True)
 n, k = sp.Symbol("n", integer=True), sp.Symbol("k", positive=True)
 PENDULUM = [v, -k * sp.sin(x) - v], [x, v], [k]
 WELL = [v, -x - k * v], [x, v], [k]
 UP, DOWN = sp.pi + 2 * sp.pi * n, 2 * sp.pi * n
+x1, x2, u = sp.symbols("x1 x2 u", real=True)
+MASS = Controlled({x1: x2, x2: u}, {u: (-1, 1)})
+LINE = MASS, [x1 - x2]
+PARABOLA = MASS, [x2**2 - x1], {x2: sp.Interval.open(0, 2)}, {}, x1 > x2**2
 HANGING = sp.Matrix([[0, 1], [-k, -1]])
 STANDING = sp.Matrix([[0, 1], [k, -1]])
 
@@ -21,6 +26,8 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
 @pytest.mark.parametrize(
     ("name", "right", "wrong", "data"),
     [
+        ("barrier", (1 + x2**2) / 2, x2, (*LINE, {x2: sp.Interval.open(0, 1)}, {}, x1 < x2)),
+        ("dispersal_curve", 13 * x2**2, 12 * x2**2, PARABOLA),
         ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),
         ("equilibrium_angles_exist", True, k > 1, PENDULUM),
         ("focus_region", k < 2, k < 3, WELL),

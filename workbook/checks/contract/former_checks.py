@@ -5,9 +5,12 @@ import functools
 _POINTS = "field state parameters domain"
 _VALUES = "field state parameters given integer"
 _ANGLES = "field state parameters integer"
+_CURVE = "system target domain parameters start"
 _STABLE, _UNSTABLE = {"kind": "asymptotically stable"}, {"kind": "unstable"}
 #: {former name: the check, the order of its data then, data that it did not take}.
 FORMER = {
+    "barrier": ("switching_curve", _CURVE, {"kind": "barrier"}),
+    "dispersal_curve": ("switching_curve", _CURVE, {"kind": "dispersal"}),
     "equilibrium_angles": ("equilibrium_values", _ANGLES, {}),
     "equilibrium_angles_exist": ("equilibrium_exists", _POINTS, {}),
     "focus_region": ("equilibrium_condition", _POINTS, {"kind": "focus"}),

@@ -11,7 +11,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.synthesis_units import in_natural_units, ordinate_unit
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
@@ -31,33 +31,37 @@ LOCATED = 1e-4
 
 @judged(Expression("domain", "parameters"))
 @in_natural_units(ordinate_unit)
-def switching_curve(claim, system, target, domain, parameters=None, start=None):
-    """Check a branch of the switching curve over the interval that `domain` gives.
+def switching_curve(claim, system, target, domain, parameters=None, start=None, kind="switching"):
+    """Check a curve of a time-optimal synthesis over the interval that `domain` gives.
 
-    One state variable is an expression in the other.
+    One state variable is an expression in the other. On a branch of the "switching" curve the control
+    changes, from a "dispersal" curve two motions are equally fast, and across a "barrier" the fastest
+    time jumps.
+
+    Can decide when the system is linear in two states with one bounded control, and the target is
+    a point, a line, a segment or the border of a convex set; optima on both sides are compared.
+
+    Examples
+    --------
+    >>> from workbook.systems import Controlled
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart, near = Controlled({x: v, v: u}, {u: (-1, 1)}), {v: sp.Interval(-3, 3)}
+    >>> checks.switching_curve(-v*sp.Abs(v)/2, cart, [x, v], near).status
+    'right'
+    >>> checks.switching_curve(-v*sp.Abs(v), cart, [x, v], near).status
+    'wrong'
     """
-    return _judge_switching(
-        claim, *domain.items(), synthesis_data(system, target, parameters, start)
-    )
-
-
-@judged(Expression("domain", "parameters"))
-@in_natural_units(ordinate_unit)
-def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
-    """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
-    return _judge_dispersal(
-        claim, *domain.items(), synthesis_data(system, target, parameters, start)
-    )
-
-
-@judged(Expression("domain", "parameters"))
-@in_natural_units(ordinate_unit)
-def barrier(claim, system, target, domain, parameters=None, start=None):
-    """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
-    return _judge_barrier(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+    if kind not in KINDS:
+        raise UnsuitableData(f"kind: expected one of {', '.join(KINDS)}, got {kind}")
+    return _judge(kind, claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
+def _judge(kind, *curve):
+    """Return the message on a curve of a kind, cached since a curve is often judged again."""
+    return KINDS[kind](*curve)
+
+
 def _judge_switching(*curve):
     points = list(_sides_of(*curve, (1.0,)))
     for message, (first,), (second,), away in points:
@@ -73,7 +77,6 @@ def _judge_switching(*curve):
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
-@functools.lru_cache(maxsize=64)
 def _judge_dispersal(*curve):
     points = list(_sides_of(*curve, (1.0,)))
     for message, (first,), (second,), away in points:
@@ -146,7 +149,6 @@ def _require_change_on_curve(points, claim, domain, data):
     return [reference.solve(x, case).time for x in (first, last)]
 
 
-@functools.lru_cache(maxsize=64)
 def _judge_barrier(*curve):
     for message, first, second, _ in _sides_of(*curve, (0.04, 0.01)):
         jump, closer_jump = (abs(a.time - b.time) for a, b in zip(first, second))
@@ -169,6 +171,13 @@ def _judge_barrier(*curve):
                 "nearly the same on both sides"
             )
     return "the fastest time jumps across the curve, at sample points"
+
+
+KINDS = {
+    "switching": _judge_switching,
+    "dispersal": _judge_dispersal,
+    "barrier": _judge_barrier,
+}
 
 
 def _sides_of(claim, domain, data, shares):
