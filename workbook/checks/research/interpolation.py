@@ -4,6 +4,7 @@ The polynomial of the table is found here by its powers, from linear equations, 
 fundamental polynomials. Bounds of their errors are maxima in boxes.
 """
 
+import functools
 import itertools
 import math
 
@@ -93,42 +94,23 @@ def _greatest(function, sides):
 
 def _powers(motion, nodes):
     """Return the coefficients of the polynomial in powers of all variables."""
-    grid = np.meshgrid(*([float(node) for node in axis] for axis in nodes.values()), indexing="ij")
-    rows = np.stack([axis.ravel() for axis in grid], axis=1)
-    exact = [sp.sympify(motion).subs(dict(zip(nodes, _exactly(nodes, row)))) for row in rows]
-    coefficients = np.array([float(value) for value in exact]).reshape(grid[0].shape)
+    rows = itertools.product(*nodes.values())
+    values = [float(sp.sympify(motion).subs(dict(zip(nodes, row)))) for row in rows]
+    coefficients = np.reshape(values, [*map(len, nodes.values())])
     for k, axis in enumerate(nodes.values()):
         vandermonde = np.vander([float(node) for node in axis], increasing=True)
-        coefficients = np.moveaxis(
-            np.linalg.solve(
-                vandermonde, np.moveaxis(coefficients, k, 0).reshape(len(axis), -1)
-            ).reshape(len(axis), *np.delete(coefficients.shape, k)),
-            0,
-            k,
-        )
+        solve = functools.partial(np.linalg.solve, vandermonde)
+        coefficients = np.apply_along_axis(solve, k, coefficients)
     return coefficients
 
 
-def _exactly(nodes, row):
-    """Return the exact nodes closest to a row of decimals."""
-    return [
-        min(axis, key=lambda node: abs(float(node) - point))
-        for axis, point in zip(nodes.values(), row)
-    ]
-
-
-def _polynomial(powers, nodes, values, order):
+def _polynomial(coefficients, nodes, values, order):
     """Return the value of the polynomial, or of its derivative by the first variable."""
-    coefficients = powers
     for k, symbol in reversed(list(enumerate(nodes))):
-        row = np.array([float(values[symbol]) ** n for n in range(coefficients.shape[-1])])
+        powers = np.arange(coefficients.shape[-1])
+        row = float(values[symbol]) ** powers
         if k == 0 and order:
-            row = np.array(
-                [
-                    n * float(values[symbol]) ** (n - 1) if n else 0.0
-                    for n in range(coefficients.shape[-1])
-                ]
-            )
+            row = np.append(0, powers[1:] * row[:-1])
         coefficients = coefficients @ row
     return float(coefficients)
 

@@ -176,12 +176,7 @@ def range_modes(claims, matrix, sight, initial, rate, t):
         times, direction = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
         for time, transition in zip(times, _transitions(matrix, values, times)):
             true = direction @ (transition @ start)[: len(sight)]
-            claimed = (
-                coefficients[0]
-                + coefficients[1] * time
-                + coefficients[2] * math.cos(w * time)
-                + coefficients[3] * math.sin(w * time)
-            )
+            claimed = np.dot(coefficients, [1, time, math.cos(w * time), math.sin(w * time)])
             if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} your four terms sum up to {claimed:.5g} at {t} = "
@@ -254,11 +249,8 @@ def _unobservable_along(matrix, *sights):
             outputs.extract(list(chosen), list(range(outputs.cols))).det()
             for chosen in itertools.combinations(range(outputs.rows), outputs.cols)
         ]
-        conditions.append(
-            sp.And(
-                *(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())
-            )
-        )
+        parts = (part for minor in minors for part in sp.expand(minor).as_real_imag())
+        conditions.append(sp.And(*(sp.Eq(part, 0) for part in parts)))
     return sp.Or(*conditions)
 
 
@@ -272,27 +264,19 @@ def _pairs_of_directions(count=48):
 
     def unit(a, b):
         """Stereographic coordinates."""
-        return [
-            2 * a / (1 + a * a + b * b),
-            2 * b / (1 + a * a + b * b),
-            (1 - a * a - b * b) / (1 + a * a + b * b),
-        ]
+        size = 1 + a * a + b * b
+        return [2 * a / size, 2 * b / size, (2 - size) / size]
 
     def random_fraction():
-        return sp.Rational(
-            int(random.choice((-1, 1)) * random.integers(1, 12)), int(random.integers(13, 17))
-        )
+        numerator = random.choice((-1, 1)) * random.integers(1, 12)
+        return sp.Rational(int(numerator), int(random.integers(13, 17)))
 
     for number in range(count):
         a, b, factor, k = random_fraction(), random_fraction(), random_fraction(), number // 8 % 3
         first = unit(a, b)
         mirror = [-n if i == k else n for i, n in enumerate(first)]
         # orthonormal with `first`
-        perpendicular = [
-            1 - 2 * a * a / (1 + a * a + b * b),
-            -2 * a * b / (1 + a * a + b * b),
-            -2 * a / (1 + a * a + b * b),
-        ]
+        perpendicular = [1 - a * first[0], -b * first[0], -first[0]]
         second = [
             first,
             [-n for n in first],
