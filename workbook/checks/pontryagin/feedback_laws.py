@@ -44,25 +44,15 @@ class FeedbackLaw:
         self._function, self._arguments = real_function(symbols, [claim]), (symbols, [claim])
         self.no_value = "no solution between the bounds" if self.implicit else NO_NUMBER
         self.decimals = in_decimals(claim)
+
+        def variant(side):
+            side = sp.Eq(side, 0, evaluate=False) if self.implicit else side
+            return FeedbackLaw(side, problem, parameters, time, False)
+
         #: Pairs of laws, in each pair one decimal is changed by its uncertainty; none if the
         #: decimals are too many.
-        self.perturbed = (
-            [
-                [
-                    FeedbackLaw(
-                        sp.Eq(side, 0, evaluate=False) if self.implicit else side,
-                        problem,
-                        parameters,
-                        time,
-                        False,
-                    )
-                    for (side,) in pair
-                ]
-                for pair in perturbed(claim) or ()
-            ]
-            if with_variants
-            else ()
-        )
+        pairs = (with_variants and perturbed(claim)) or ()
+        self.perturbed = [[variant(side) for (side,) in pair] for pair in pairs]
         self.rounding = relative_tolerance(claim, computed=LAGGING)
 
     def multiprecision(self):

@@ -206,18 +206,17 @@ def maximising_control(answer, problem, costates, domain=None):
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # Decimals leave the control uncertain, and near its maximum H hardly depends on it.
+        near_axes = [
+            np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
+            for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
+        ]
+        rival_axes = [
+            unit * _rivals(value / unit, *np.array(pair) / unit)
+            for unit, value, pair in zip(control_units, claimed, bounds)
+        ]
         near, rivals = (
-            np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
-            for parts in (
-                [
-                    np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
-                    for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
-                ],
-                [
-                    unit * _rivals(value / unit, *np.array(pair) / unit)
-                    for unit, value, pair in zip(control_units, claimed, bounds)
-                ],
-            )
+            np.array(np.meshgrid(*axes)).reshape(len(controls), -1)
+            for axes in (near_axes, rival_axes)
         )
         claimed_values = H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1]
         rival_values = H(*numbers, *rivals)[0]
@@ -269,13 +268,8 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
         parts = [float(part.subs(values)) for part in sp.Add.make_args(remaining_terms)]
         claimed = value_at(claim, values, "the greatest value of H")
         expected = sum(parts) + sum(terms)
-        if not agree(
-            claimed,
-            expected,
-            claim,
-            max(map(abs, [*parts, *terms])),
-            uncertain=uncertainty_at(claim, values),
-        ):
+        size = max(map(abs, [*parts, *terms]))
+        if not agree(claimed, expected, claim, size, uncertain=uncertainty_at(claim, values)):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + directed(
@@ -353,11 +347,5 @@ def _rivals(value, low, high):
     """Return admissible controls to compare with: over the whole interval and around a value."""
     low, high = max(low, value - UNBOUNDED), min(high, value + UNBOUNDED)
     around = (1 + abs(value)) * np.geomspace(1e-4, 0.1, 13)
-    return np.unique(
-        np.concatenate(
-            [
-                np.linspace(low, high, RIVALS),
-                np.clip([value - around, value + around], low, high).ravel(),
-            ]
-        )
-    )
+    sides = np.clip([value - around, value + around], low, high)
+    return np.unique([*np.linspace(low, high, RIVALS), *sides.ravel()])

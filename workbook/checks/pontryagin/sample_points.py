@@ -124,6 +124,14 @@ class ZeroSet:
         return None
 
 
+def shares_of(symbols, generator):
+    """Return random shares of the range of each symbol: its values lie all over its range."""
+    return {
+        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
+        for s in symbols
+    }
+
+
 @cached_points
 def sample_points(problem, costates, domain, controls=True, use_known_costates=False):
     """Yield random values of all symbols, first with the controls on their bounds.
@@ -139,11 +147,7 @@ def sample_points(problem, costates, domain, controls=True, use_known_costates=F
         *(problem.control if controls else ()),
     ]
     units = sample_units(problem, costates, domain)
-    # Each symbol takes values all over its range.
-    shares = {
-        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
-        for s in symbols
-    }
+    shares = shares_of(symbols, generator)
     for k in range(SAMPLES):
         position = {
             s: random_value(generator, s, domain, shares[s][k], float(units.get(s, 1)))

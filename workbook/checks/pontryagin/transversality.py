@@ -10,7 +10,7 @@ import sympy as sp
 
 from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference
+from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference, shares_of
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
@@ -88,11 +88,8 @@ def _on_target(problem):
     )
     generator, points, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
     for k in range(4 * SAMPLES):
-        if k % SAMPLES == 0:  # each symbol takes values all over its range
-            shares = {
-                s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
-                for s in symbols
-            }
+        if k % SAMPLES == 0:
+            shares = shares_of(symbols, generator)
         values = {
             s: random_value(generator, s, None, shares[s][k % SAMPLES], float(units.get(s, 1)))
             for s in symbols

@@ -93,14 +93,17 @@ class SampledOptimum(SampledStarts):
         spread_batch, near = self.cache["spread"], self.cache["near"]
         if near is None:
             return spread_batch
-        middle, direction, case = near
-        shift = relative_offset * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-        sides = np.concatenate([middle + shift, middle - shift])
-        case = np.concatenate([case, case])
-        keep = self.allowed(sides, case)
         return StateBatch.concatenated(
-            [spread_batch, self._safe(self.solve(sides[keep], case[keep]))]
+            [spread_batch, self._safe(self._beside(near, relative_offset))]
         )
+
+    def _beside(self, near, share, far=False):
+        """Return the optima on both sides of a curve, at a distance relative to the states."""
+        middle, direction, case = near
+        shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
+        x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
+        keep = self.allowed(x, case)
+        return self.solve(x[keep], case[keep], far)
 
     def _safe(self, batch):
         """Return the starts off the target that are in reach with all states next to them."""
@@ -208,11 +211,7 @@ class SampledOptimum(SampledStarts):
 
     def _sides(self, near, shortest):
         """Return starts next to a curve around which all fastest motions begin alike."""
-        middle, direction, case = near
-        shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-        x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
-        keep = self.allowed(x, case)
-        batch = self.solve(x[keep], case[keep], far=True)
+        batch = self._beside(near, NEXT, far=True)
         around = self._around(batch, NEXT / 2, far=True, count=5)
         same_control = (
             np.isfinite(around.time)
@@ -253,12 +252,7 @@ class SampledOptimum(SampledStarts):
             )
             parts = [spread_batch]
             for share in ((0.02,) if decimals else (0.008, 0.03)) if near is not None else ():
-                middle, direction, case = near
-                shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-                sides = np.concatenate([middle + shift, middle - shift])
-                cases = np.concatenate([case, case])
-                keep = self.allowed(sides, cases)
-                parts.append(self.solve(sides[keep], cases[keep], far=True))
+                parts.append(self._beside(near, share, far=True))
             border = StateBatch.concatenated(parts)
             self.cache[("border", decimals)] = border
         return border

@@ -6,6 +6,7 @@ import sympy as sp
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_plant import Plant
 from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.line_search import bisect
 
 #: Switchings earlier than this before the end are not asked for.
 LONGEST = 12.0
@@ -118,12 +119,10 @@ class TargetFamily:
 
     def change(self, first, second, values):
         """Return where between two values of the variable the sign of the rate changes."""
-        sign = np.sign(self.rates(np.array([first]), values)[0])
-        for _ in range(50):
-            middle = (first + second) / 2
-            same_sign = np.sign(self.rates(np.array([middle]), values)[0]) == sign
-            first, second = (middle, second) if same_sign else (first, middle)
-        return (first + second) / 2
+        ends = np.array([first]), np.array([second])
+        sign = np.sign(self.rates(ends[0], values))
+        ends = bisect(lambda points, _: np.sign(self.rates(points, values)) == sign, *ends, 50)
+        return sum(ends)[0] / 2
 
     def switchings(self, arguments, values):
         """Return (points, times before the end, controls after) of the last switchings of extremals."""
