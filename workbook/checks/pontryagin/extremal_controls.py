@@ -39,6 +39,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     'wrong'
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
+    duration = float(problem.duration)
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)
     steering, sign = Steering(arcs, time, parameters), -1 if problem.maximise else 1
     costates = [sp.Dummy() for _ in problem.state]
@@ -67,15 +68,14 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
-        ends = steering.ends(values, float(problem.duration))
+        ends = steering.ends(values, duration)
         if ends and ends[-1] < (
-            float(problem.duration) * (1 - steering.rounding)
-            - steering.end_uncertainties(values)[-1]
+            duration * (1 - steering.rounding) - steering.end_uncertainties(values)[-1]
         ):
             raise Wrong(
                 f"{where}your last arc ends at {ends[-1]:.4g}, and the process lasts longer"
             )
-        steps = _steps(steering.sections(values, float(problem.duration)))
+        steps = _steps(steering.sections(values, duration))
         for t, _, controls in steps:
             for value in controls:
                 if not low - control_slack <= value <= high + control_slack:
@@ -85,18 +85,11 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         if start is not None and not abs(steps[0][2][0] - values[start]) <= control_slack:
             raise Wrong(f"{where}your control begins with {steps[0][2][0]:.4g}")
         advantages = advantage(steps)
-        perturbed_advantages = [
-            [advantage(_steps(side.sections(values, float(problem.duration)))) for side in sides]
-            for sides in steering.perturbed
-        ]
-        uncertainty = sum(
-            (
-                parabola_range(*(side - advantages for side in sides))[1]
-                for sides in perturbed_advantages
-                if all(side.shape == advantages.shape for side in sides)
-            ),
-            np.zeros_like(advantages),
-        )
+        uncertainty = np.zeros_like(advantages)
+        for pair in steering.perturbed:
+            sides = [advantage(_steps(side.sections(values, duration))) for side in pair]
+            if all(side.shape == advantages.shape for side in sides):
+                uncertainty += parabola_range(*(side - advantages for side in sides))[1]
         slack = 10 * steering.rounding * (unit + np.abs(advantages).max())
         for k in np.flatnonzero((advantages + uncertainty < -slack).any(axis=1))[-1:]:
             raise Wrong(

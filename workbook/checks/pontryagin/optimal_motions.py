@@ -58,11 +58,8 @@ def optimal_motion(claims, problem, time, parameters=None):
         start = motion.values(0.0, values)
         if not np.isfinite(start[has_initial_value]).all():
             raise Wrong(f"{where}your motion is {NO_NUMBER}, at the initial time")
-        if not np.all(
-            (np.abs(start - best.start[:-1]) <= slack + motion.uncertainty(0.0, values)[0])[
-                has_initial_value
-            ]
-        ):
+        allowed = slack + motion.uncertainty(0.0, values)[0]
+        if not np.all((np.abs(start - best.start[:-1]) <= allowed)[has_initial_value]):
             raise Wrong(
                 f"{where}your motion does not satisfy the initial conditions: it starts at "
                 f"{point_text(start)}"
@@ -84,18 +81,9 @@ def optimal_motion(claims, problem, time, parameters=None):
         if problem.first_return:
             require_single_meeting([0.0, *best.times], [start, *states], best, where)
         end = np.append(motion.values(ENDING * best.duration, values), 0)
-        require_end_conditions(
-            end,
-            best,
-            motion.rounding,
-            where + "on your motion",
-            [
-                (end - side, end + side)
-                for side in np.diag(
-                    np.append(motion.uncertainty(ENDING * best.duration, values)[0], 0)
-                )
-            ],
-        )
+        sides = np.diag(np.append(motion.uncertainty(ENDING * best.duration, values)[0], 0))
+        ends = [(end - side, end + side) for side in sides]
+        require_end_conditions(end, best, motion.rounding, where + "on your motion", ends)
         differences = np.abs(np.array(states)[:, :-1].T - best.states)
         if not (
             only_time

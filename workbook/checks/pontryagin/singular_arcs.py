@@ -234,14 +234,11 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
-        claimed = value_at(claim, values, "Kelley's expression")
-        if not agree(
-            claimed,
-            real_at(true, values),
-            claim,
-            computed=POINT_ACCURACY,
-            uncertain=uncertainty_at(claim, values),
-        ):
+        claimed, uncertain = (
+            value_at(claim, values, "Kelley's expression"),
+            uncertainty_at(claim, values),
+        )
+        if not agree(claimed, real_at(true, values), claim, 0, POINT_ACCURACY, uncertain):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {claimed:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"

@@ -27,14 +27,12 @@ class TargetFamily:
         self._point = sp.lambdify(symbols, list(ends), "numpy")
         self._gradient = sp.lambdify(symbols, gradient, "numpy")
         self._target = state, control, bounds, field, target, ends
-        self.side = (
-            1 if start is None else self._starts_side(target, state, start, end_point, gradient)
-        )
+        self.side = 1 if start is None else self._starts_side(state, start, end_point, gradient)
 
-    def _starts_side(self, target, state, start, end_point, gradient):
+    def _starts_side(self, state, start, end_point, gradient):
         """Return 1 if the starts lie where the target's expression is positive, else -1."""
         probe = dict(zip(self.parameters, self._cases[0]))
-        argument = {self.variable: self.arguments(self._cases[0], count=3)[1]}
+        argument = {self.variable: self.arguments(count=3)[1]}
         point = {s: sp.sympify(e).subs(argument).subs(probe) for s, e in end_point.items()}
         slope = [sp.sympify(g).subs(argument).subs(probe) for g in gradient]
         probe_point = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
@@ -71,10 +69,9 @@ class TargetFamily:
         """Return the cases of the parameters."""
         return self._cases
 
-    def arguments(self, values, count=181):
+    def arguments(self, count=181):
         """Return values of the variable, off the middle, which may be a special point."""
         low, high = self.interval
-        # off the middle, which may be a special point
         return low + (high - low) * (np.arange(count) + 0.47) / count
 
     def point(self, arguments, values):
