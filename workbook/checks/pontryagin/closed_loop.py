@@ -165,10 +165,8 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                 waiting[active] = switching
                 first[active], last[active] = before, np.where(delayed, delay, after)
                 continuing = active[~switching]
-                x[continuing], t[continuing] = (
-                    points[instant_count - 1 : count : instant_count][~switching],
-                    t[continuing] + step[~switching],
-                )
+                x[continuing] = points[instant_count - 1 : count : instant_count][~switching]
+                t[continuing] += step[~switching]
                 continue
             switching_rows = np.flatnonzero(waiting)
             if not len(switching_rows):
@@ -183,25 +181,20 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                 last[searched_rows] = bisect(
                     still_holds, first[searched_rows], last[searched_rows], 40
                 )[1]
-            x[switching_rows], t[switching_rows], waiting[switching_rows] = (
-                plant.move(x[switching_rows], u[switching_rows], last[switching_rows]),
-                t[switching_rows] + last[switching_rows],
-                False,
-            )
-            claimed = law(x[switching_rows], case[switching_rows])
-            for k in np.flatnonzero(
-                (claimed < low - EQUAL_CONTROLS) | (claimed > high + EQUAL_CONTROLS)
-            ):
-                point = x[switching_rows[k]]
+            rows = switching_rows
+            x[rows] = plant.move(x[rows], u[rows], last[rows])
+            t[rows] += last[rows]
+            waiting[rows] = False
+            claimed = law(x[rows], case[rows])
+            outside = (claimed < low - EQUAL_CONTROLS) | (claimed > high + EQUAL_CONTROLS)
+            for k in np.flatnonzero(outside):
+                point = x[rows[k]]
                 raise Wrong(
                     f"a motion under your law comes to ({point[0]:.4g}, {point[1]:.4g}), "
                     f"where it gives {claimed[k]:.4g}, outside the bounds of the control"
                 )
-            u[switching_rows], last_switch[switching_rows] = (
-                np.clip(claimed, low, high),
-                t[switching_rows],
-            )
-            for k in switching_rows[np.isnan(claimed)]:
+            u[rows], last_switch[rows] = np.clip(claimed, low, high), t[rows]
+            for k in rows[np.isnan(claimed)]:
                 nearby_values = clipped(neighbours(x[k : k + 1]), np.repeat(case[k], 5))
                 if np.isnan(nearby_values).all():
                     raise Wrong(

@@ -118,15 +118,9 @@ def touching(field, state, control, bounds, target):
         rate_difference = sp.expand(rate(target, opposite) - rate(target, u))
         bend = rate(rate(target, u), u)
         conditions.append(sp.And(on_border, rate_difference > 0, bend > 0))
-        wider_conditions.append(
-            sp.And(
-                on_border,
-                sp.Or(
-                    sp.And(rate_difference > 0, bend > 0),
-                    sp.And(rate_difference >= 0, sp.Eq(bend, 0)),
-                ),
-            )
-        )
+        turns, stays = bend > 0, sp.And(rate_difference >= 0, sp.Eq(bend, 0))
+        wider = sp.Or(sp.And(rate_difference > 0, turns), stays)
+        wider_conditions.append(sp.And(on_border, wider))
     return sp.Or(*conditions), sp.Or(*wider_conditions)
 
 

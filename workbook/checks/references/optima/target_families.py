@@ -142,21 +142,13 @@ class TargetFamily:
     def table(self, values):
         """Return the switching curve as two arrays, the first of them increasing."""
         low, high = self.interval
-        share = np.concatenate(
-            [
-                np.geomspace(1e-12, 0.2, 2500),
-                np.linspace(0.2, 0.8, 2500),
-                1 - np.geomspace(1e-12, 0.2, 2500),
-            ]
-        )
-        share = np.unique(share)
+        ends = np.geomspace(1e-12, 0.2, 2500)
+        share = np.unique(np.concatenate([ends, np.linspace(0.2, 0.8, 2500), 1 - ends]))
         points, times, _ = self.switchings(low + (high - low) * share, values)
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
     def values_text(self, values, argument):
         """Return the values of the parameters and of the variable for a message."""
-        named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
-            f"{self.variable} = {argument:.4g}"
-        ]
-        return "for " + ", ".join(named)
+        numbers = zip((*self.parameters, self.variable), (*values, argument))
+        return "for " + ", ".join(f"{s} = {number:.4g}" for s, number in numbers)
