@@ -83,13 +83,9 @@ def polar_angle_rate(claim, problem, angle):
         point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(point)) for f in problem.dynamics.values()]
         terms = np.array([point[x] * rates[1], -point[y] * rates[0]]) / r**2
-        yield SameValue(
-            claim,
-            terms.sum(),
-            "the rate at which the direction of the state turns",
-            {angle: sp.Float(theta, 20), control: sp.Float(u, 20)},
-            np.abs(terms).max(),
-        )
+        values = {angle: sp.Float(theta, 20), control: sp.Float(u, 20)}
+        quantity = "the rate at which the direction of the state turns"
+        yield SameValue(claim, terms.sum(), quantity, values, np.abs(terms).max())
     return "it is the rate at which the direction turns, at random states and controls"
 
 
@@ -123,13 +119,8 @@ def least_rate(claim, quantity, problem):
         if k >= 16:
             point = {x: value * CLOSE for x, value in point.items()}
         rates = [float(slope.subs(point).subs(control, u)) for u in bounds]
-        yield SameValue(
-            claim,
-            min(rates),
-            "the least of the rates that the admissible controls give",
-            point,
-            max(map(abs, rates)),
-        )
+        quantity = "the least of the rates that the admissible controls give"
+        yield SameValue(claim, min(rates), quantity, point, max(map(abs, rates)))
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 

@@ -131,13 +131,8 @@ def _same_support(claims, sides, bounds, directions):
         corners = _corners(sides, bounds, values)
         reach = np.array(directions.tolist(), dtype=float) @ corners.T
         for k, claim in enumerate(claims):
-            yield SameValue(
-                claim,
-                reach[k].max(),
-                f"how far the polygon reaches in direction {k + 1}",
-                values,
-                np.abs(corners).max(),
-            )
+            quantity = f"how far the polygon reaches in direction {k + 1}"
+            yield SameValue(claim, reach[k].max(), quantity, values, np.abs(corners).max())
 
 
 def _common_point_agreement(answer, sides, bounds):

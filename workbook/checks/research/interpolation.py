@@ -40,13 +40,10 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
             zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1)))
         )
         true = complex(sp.sympify(quantity).subs(interpolant_values | values).evalf())
-        yield SameValue(
-            claim,
-            true.real if abs(true.imag) < 1e-12 else math.nan,
-            "the quantity, computed from the polynomial through the table,",
-            values,
-            abs(true) + max(map(abs, interpolant_values.values())),
-        )
+        true, size = (true.real if abs(true.imag) < 1e-12 else math.nan), abs(true)
+        size += max(map(abs, interpolant_values.values()))
+        name = "the quantity, computed from the polynomial through the table,"
+        yield SameValue(claim, true, name, values, size)
     return f"the polynomial through the table gives the same at {SAMPLES} points"
 
 

@@ -62,15 +62,9 @@ def transition_polynomial(claim, transition, lam, kappa):
         true = (
             np.linalg.det(point * np.eye(n) - _matrix(transition, kappa, stiffness)) / point**power
         )
-        yield SameValue(
-            claim,
-            true.real,
-            expression_text
-            if power == 0
-            else f"{expression_text} at lambda = {number_text(point)}",
-            {symbol: at, kappa: stiffness},
-            abs(true) + 1,
-        )
+        where = f" at lambda = {number_text(point)}" if power else ""
+        values, size = {symbol: at, kappa: stiffness}, abs(true) + 1
+        yield SameValue(claim, true.real, expression_text + where, values, size)
     return f"it is {expression_text} for random {symbol} and {kappa}"
 
 
@@ -115,13 +109,9 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
     """
     for values, t, h in _random_samples(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
-        yield SameValue(
-            claim,
-            _middle(t, *states),
-            "the acceleration at the middle sample",
-            values,
-            np.abs(h).max() / t[1] ** 2,
-        )
+        size = np.abs(h).max() / t[1] ** 2
+        quantity = "the acceleration at the middle sample"
+        yield SameValue(claim, _middle(t, *states), quantity, values, size)
     motion_text = (
         "easiest motion through the samples" if rho is None else "motion with the least cost"
     )
@@ -174,14 +164,8 @@ def spline_misfit(claim, times, samples, rho, D):
             middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        yield SameValue(
-            claim,
-            values[rho] * np.sum((states[0] - h) ** 2),
-            "the misfit",
-            values,
-            values[rho] * np.sum(h**2),
-            1e-8,
-        )
+        misfit, size = (values[rho] * np.sum(part**2) for part in (states[0] - h, h))
+        yield SameValue(claim, misfit, "the misfit", values, size, 1e-8)
     return (
         "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
     )
@@ -204,14 +188,8 @@ def bounded_misfit(claim, times, samples, rho, D):
         )
         limits = np.append([np.inf, np.inf], np.full(step.size, values[D]))
         solution = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        yield SameValue(
-            claim,
-            2 * values[rho] * solution.cost,
-            "the least misfit",
-            values,
-            values[rho] * np.sum(h**2),
-            1e-7,
-        )
+        least, size = 2 * values[rho] * solution.cost, values[rho] * np.sum(h**2)
+        yield SameValue(claim, least, "the least misfit", values, size, 1e-7)
     return "no motion within the bound fits better, for random samples and bounds"
 
 
