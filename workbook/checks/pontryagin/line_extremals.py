@@ -61,18 +61,10 @@ def _second_extremal(system, target, start):
     line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
     plant = sp.Matrix([sp.sympify(f) for f in system.field])
     first, second = (sp.Dummy(name, real=True) for name in ("T1", "T2"))
-    beyond = (
-        reach.beyond_line(
-            plant.jacobian(state),
-            plant.diff(control),
-            list(map(sp.sympify, bounds)),
-            state,
-            line,
-            first,
-        )
-        if not any(plant.subs(zero))
-        else None
-    )
+    beyond = None
+    if not any(plant.subs(zero)):
+        parts = plant.jacobian(state), plant.diff(control), list(map(sp.sympify, bounds))
+        beyond = reach.beyond_line(*parts, state, line, first)
     if beyond is None:
         batch, second_times = _line_extremals(
             sampled_optimum(*synthesis_data(system, target, {}, start))

@@ -270,10 +270,8 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                 f"{prefix_text(values)}by your answer {control} is {value} for the first {claimed:.4g} "
                 "units of time; in the best process found it is so "
                 + directed(
-                    "for a longer time"
-                    if true > claimed
-                    else "for a shorter time"
-                    if true
+                    f"for a {'longer' if true > claimed else 'shorter'} time"
+                    if true > min(claimed, 0)
                     else "not at the beginning",
                     "not for just this time",
                 )

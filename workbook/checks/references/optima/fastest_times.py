@@ -161,14 +161,11 @@ class FastestTimes(SeparatingLines):
             if careful:
                 largest, line_before = distance.copy(), line
                 line = np.where(outward, self._angles[best], self._middle(gap))
-                self._look_between(
+                rows, starts = (
                     np.flatnonzero(~outward & (largest <= 0)),
-                    T,
-                    line_before,
-                    largest,
-                    line,
-                    *rows_of(todo, x, case, inside),
+                    rows_of(todo, x, case, inside),
                 )
+                self._look_between(rows, T, line_before, largest, line, *starts)
             meets = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so
@@ -183,13 +180,8 @@ class FastestTimes(SeparatingLines):
                     & (rise > 0)
                     & (distances[1] <= 2 * np.maximum(drop, rise))
                 )
-                dips.append(
-                    (
-                        todo[dip],
-                        np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0),
-                        np.full(len(dip), T),
-                    )
-                )
+                times = (np.full(len(dip), end) for end in (TIMES[j - 2] if j > 1 else 0.0, T))
+                dips.append((todo[dip], *times))
             distances = np.array([distances[1], distance])
             if meets.any():
                 rows, is_outward = todo[meets], outward[meets]
