@@ -130,9 +130,9 @@ REFUSED = [
     (checks.extremal_control, (1, RUN, t), "a free duration"),
     (checks.optimal_switching, (1, RUN, t), "a transfer to a line"),
     (checks.initial_arc_duration, (1, RUN, u, -1, {}), "with several controls"),
-    (checks.dispersal_curve, (x2, SYSTEM, [x1], {x2: (-1, 1)}), "domain: .*to other values"),
-    (checks.dispersal_curve, (x2, SYSTEM, [x1], (x2, -1, 1)), "domain: .* got tuple"),
-    (checks.dispersal_curve, (x2, SYSTEM, {x1: 0}, {x2: sp.Interval(0, 1)}), "target: .*got dict"),
+    (checks.switching_curve, (x2, SYSTEM, [x1], {x2: (-1, 1)}), "domain: .*to other values"),
+    (checks.switching_curve, (x2, SYSTEM, [x1], (x2, -1, 1)), "domain: .* got tuple"),
+    (checks.switching_curve, (x2, SYSTEM, {x1: 0}, {x2: sp.Interval(0, 1)}), "target: .*got dict"),
     (checks.stationary_covariance, (-sp.Rational(1, 2), Process(A=1, Q=1)), "does not hold"),
     (checks.stationary_covariance, (1, Process(A=2, Q=1, discrete=True)), "does not hold"),
 ]

@@ -8,7 +8,7 @@ from case import CHECKS
 
 from workbook import checks
 from workbook.checks.contract.former_checks import FORMER
-from workbook.systems import Linear
+from workbook.systems import Controlled, Linear
 
 x, v, p = sp.symbols("x v p", real=True)
 s = sp.Symbol("s")
@@ -18,6 +18,10 @@ WELL = [v, -x - k * v], [x, v], [k]
 WELL_ALONE = [v, -x - v], [x, v]
 mu = sp.Symbol("mu", positive=True)
 UP, DOWN = sp.pi + 2 * sp.pi * n, 2 * sp.pi * n
+x1, x2, u = sp.symbols("x1 x2 u", real=True)
+MASS = Controlled({x1: x2, x2: u}, {u: (-1, 1)})
+LINE = MASS, [x1 - x2]
+PARABOLA = MASS, [x2**2 - x1], {x2: sp.Interval.open(0, 2)}, {}, x1 > x2**2
 HANGING = sp.Matrix([[0, 1], [-k, -1]])
 STANDING = sp.Matrix([[0, 1], [k, -1]])
 
@@ -25,6 +29,8 @@ STANDING = sp.Matrix([[0, 1], [k, -1]])
 @pytest.mark.parametrize(
     ("name", "right", "wrong", "data"),
     [
+        ("barrier", (1 + x2**2) / 2, x2, (*LINE, {x2: sp.Interval.open(0, 1)}, {}, x1 < x2)),
+        ("dispersal_curve", 13 * x2**2, 12 * x2**2, PARABOLA),
         ("delay_margin", sp.pi / 2, 1, (1 / s,)),
         ("disk_margin", 1, 2, (1 / s,)),
         ("equilibrium_angles", [UP, DOWN], [UP], (*PENDULUM, n)),

@@ -171,8 +171,6 @@ RULES = {
     "reached_target_points": UNCHANGED,
     "minimal_time_continuous": UNCHANGED,
     "switching_curve": _curve,
-    "barrier": _curve,
-    "dispersal_curve": _curve,
     "switching_points": _several(lambda new: new.of_state),
     "switching_curve_crossing": _several(_determinants),
     "other_extremal_exists": UNCHANGED,

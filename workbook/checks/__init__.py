@@ -193,7 +193,7 @@ _present, __dir__, __all__ = lazy_names(
             "singular_order",
             "singular_surface",
         ],
-        "pontryagin.switching_curves": ["barrier", "dispersal_curve", "switching_curve"],
+        "pontryagin.switching_curves": ["switching_curve"],
         "pontryagin.target_points": [
             "minimal_time_continuous",
             "reached_target_points",

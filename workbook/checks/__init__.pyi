@@ -48,16 +48,6 @@ def asymptotic_stability_by_lyapunov(
 def augmented_system(answer: Any, system: Any, parameters: Any = ..., own: Any = ...) -> Verdict:
     """Check the system [A', H'] of x together with coordinates of the measurement error."""
 
-def barrier(
-    claim: Any,
-    system: Any,
-    target: Any,
-    domain: Any,
-    parameters: Any = ...,
-    start: Any = ...,
-) -> Verdict:
-    """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
-
 def basin_estimate(
     condition: Any,
     function: Any,
@@ -228,16 +218,6 @@ def decomposed_system(answer: Any, system: Any, parameters: Any = ...) -> Verdic
 
 def decomposition(claim: Any, system: Any, parameters: Any = ...) -> Verdict:
     """Check the change of variables of a decomposition into (xi; eta)."""
-
-def dispersal_curve(
-    claim: Any,
-    system: Any,
-    target: Any,
-    domain: Any,
-    parameters: Any = ...,
-    start: Any = ...,
-) -> Verdict:
-    """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
 
 def dulac_function(
     answer: Any,
@@ -1001,8 +981,9 @@ def switching_curve(
     domain: Any,
     parameters: Any = ...,
     start: Any = ...,
+    kind: Any = ...,
 ) -> Verdict:
-    """Check a branch of the switching curve over the interval that `domain` gives."""
+    """Check a curve of a time-optimal synthesis over the interval that `domain` gives."""
 
 def switching_curve_crossing(
     claim: Any,

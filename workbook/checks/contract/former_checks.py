@@ -5,12 +5,15 @@ import functools
 _POINTS = "field state parameters domain"
 _VALUES = "field state parameters given integer"
 _ANGLES = "field state parameters integer"
+_CURVE = "system target domain parameters start"
 _LOOP = "loop K L process parameters given"
 _STABLE, _UNSTABLE = {"kind": "asymptotically stable"}, {"kind": "unstable"}
 #: {former name: the check, the order of its data then, data that it did not take}.
 FORMER = {
+    "barrier": ("switching_curve", _CURVE, {"kind": "barrier"}),
     "delay_margin": ("loop_margin", _LOOP, {"kind": "delay"}),
     "disk_margin": ("loop_margin", _LOOP, {"kind": "disk"}),
+    "dispersal_curve": ("switching_curve", _CURVE, {"kind": "dispersal"}),
     "equilibrium_angles": ("equilibrium_values", _ANGLES, {}),
     "equilibrium_angles_exist": ("equilibrium_condition", _POINTS, {}),
     "equilibrium_exists": ("equilibrium_condition", _POINTS, {}),

@@ -126,6 +126,7 @@ SHAPES = {
         "duration": "symbol, or expression",
         "ends": "list of two expressions of the variable",
         "functional": "Functional",
+        "kind": '"switching", "dispersal" or "barrier"',
         "law": "expression of the time and of constants",
         "parameters": RANGES,
         "problem": "pontryagin.Problem with one control",

@@ -94,10 +94,8 @@ def follow(law, reference, batch):
 def _late_states(law, reference, batch, resolution):
     """Return the states reached, the indices of those that are late, and the remaining times."""
     for x, elapsed in _closed_loop(law, reference.plant, batch, *resolution):
-        time, remaining_time = (
-            reference.solve(x, batch.case).time,
-            batch.time * (1 + SLOWER) + 1e-3 - elapsed,
-        )
+        time = reference.solve(x, batch.case).time
+        remaining_time = batch.time * (1 + SLOWER) + 1e-3 - elapsed
         # Rounding may make the target unreachable on the way; only a finite loss of time counts.
         if (np.isfinite(time) & (time > remaining_time)).all():
             break
@@ -112,11 +110,9 @@ def _closed_loop(law, plant, batch, steps, instant_count):
     instants of each step; bisection between two of them finds the switching time.
     """
     x, case = batch.x.copy(), batch.case
-    t, h, last_switch = (
-        np.zeros(len(x)),
-        FOLLOWED[-1] * batch.time / steps,
-        np.full(len(x), -np.inf),
-    )
+    t = np.zeros(len(x))
+    h = FOLLOWED[-1] * batch.time / steps
+    last_switch = np.full(len(x), -np.inf)
     low, high = plant.bounds
     offsets = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
 
@@ -159,24 +155,18 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                     u[moved_rows],
                     np.concatenate([instants[:, 1:].ravel(), delay[delayed_rows]]),
                 )
-                claimed, count = (
-                    holds(points, u[moved_rows], case[moved_rows]),
-                    len(active) * instant_count,
-                )
-                held, delayed = (
-                    claimed[:count].reshape(-1, instant_count),
-                    np.zeros(len(active), dtype=bool),
-                )
+                claimed = holds(points, u[moved_rows], case[moved_rows])
+                count = len(active) * instant_count
+                held = claimed[:count].reshape(-1, instant_count)
+                delayed = np.zeros(len(active), dtype=bool)
                 delayed[delayed_rows] = ~claimed[count:]
                 switching, k = ~held.all(axis=1), held.argmin(axis=1)[:, None]
                 before, after = (np.take_along_axis(instants, j, axis=1)[:, 0] for j in (k, k + 1))
                 waiting[active] = switching
                 first[active], last[active] = before, np.where(delayed, delay, after)
                 continuing = active[~switching]
-                x[continuing], t[continuing] = (
-                    points[instant_count - 1 : count : instant_count][~switching],
-                    t[continuing] + step[~switching],
-                )
+                x[continuing] = points[instant_count - 1 : count : instant_count][~switching]
+                t[continuing] += step[~switching]
                 continue
             switching_rows = np.flatnonzero(waiting)
             if not len(switching_rows):
@@ -191,25 +181,20 @@ def _closed_loop(law, plant, batch, steps, instant_count):
                 last[searched_rows] = bisect(
                     still_holds, first[searched_rows], last[searched_rows], 40
                 )[1]
-            x[switching_rows], t[switching_rows], waiting[switching_rows] = (
-                plant.move(x[switching_rows], u[switching_rows], last[switching_rows]),
-                t[switching_rows] + last[switching_rows],
-                False,
-            )
-            claimed = law(x[switching_rows], case[switching_rows])
-            for k in np.flatnonzero(
-                (claimed < low - EQUAL_CONTROLS) | (claimed > high + EQUAL_CONTROLS)
-            ):
-                point = x[switching_rows[k]]
+            rows = switching_rows
+            x[rows] = plant.move(x[rows], u[rows], last[rows])
+            t[rows] += last[rows]
+            waiting[rows] = False
+            claimed = law(x[rows], case[rows])
+            outside = (claimed < low - EQUAL_CONTROLS) | (claimed > high + EQUAL_CONTROLS)
+            for k in np.flatnonzero(outside):
+                point = x[rows[k]]
                 raise Wrong(
                     f"a motion under your law comes to ({point[0]:.4g}, {point[1]:.4g}), "
                     f"where it gives {claimed[k]:.4g}, outside the bounds of the control"
                 )
-            u[switching_rows], last_switch[switching_rows] = (
-                np.clip(claimed, low, high),
-                t[switching_rows],
-            )
-            for k in switching_rows[np.isnan(claimed)]:
+            u[rows], last_switch[rows] = np.clip(claimed, low, high), t[rows]
+            for k in rows[np.isnan(claimed)]:
                 nearby_values = clipped(neighbours(x[k : k + 1]), np.repeat(case[k], 5))
                 if np.isnan(nearby_values).all():
                     raise Wrong(

@@ -31,11 +31,7 @@ COSTATES, DETERMINED = 6, 1e-7
 CURVED = 1e-3
 
 
-@judged(
-    Expression(
-        lambda data: [*data["problem"].state, *data["problem"].control, *data["problem"].parameters]
-    )
-)
+@judged(Expression("problem.state", "problem.control", "problem.parameters"))
 def control_equation(claim, problem, domain=None):
     """Check the right-hand side of u' = ... for a control inside its bounds that maximises H.
 
@@ -68,9 +64,8 @@ def control_equation(claim, problem, domain=None):
             raise Wrong(
                 f"dH/d{u} does not stay zero where your expression gives {u}' the value {claimed:.4g}"
             )
-        shown = {
-            s: value for s, value in values.items() if s in reference.symbols | claim.free_symbols
-        }
+        symbols = reference.symbols | claim.free_symbols
+        shown = {s: value for s, value in values.items() if s in symbols}
         raise Wrong(
             f"for {rounded_text(shown)} your expression gives {u}' the value {claimed:.4g}, with "
             f"which dH/d{u} does not stay zero"
@@ -144,10 +139,9 @@ class _Rate:
             significant = np.abs(curvatures) > CURVED * sizes
             if not (curvatures[significant] < 0).any():
                 return None
-            rates = -(costates @ drift)[significant] / curvatures[significant]
-            terms = (np.abs(costates) @ np.abs(drift))[significant] / np.abs(
-                curvatures[significant]
-            )
+            costates, curvatures = costates[significant], curvatures[significant]
+            rates = -(costates @ drift) / curvatures
+            terms = np.abs(costates) @ np.abs(drift) / np.abs(curvatures)
             if np.ptp(rates) <= DETERMINED * terms.max():
                 return float(rates[0]), float(terms[0])
         raise UnsuitableData(

@@ -73,31 +73,14 @@ def optimal_costate(claims, problem, time, parameters=None):
                 raise Wrong(f"{where}one of your costates is {NO_NUMBER}, {part_text}")
             # H is the product of these extended costates with the rates, the last of which is the
             # running cost.
-            extended, process_point = (
-                np.append(psi, -sign),
-                (best, y, u, costate.rounding),
-            )
+            extended = np.append(psi, -sign)
             psi_uncertainty, slope_uncertainty = costate.uncertainty(t, values)
             psi_uncertainty = psi_uncertainty + BEFORE * t * np.abs(slope)
             location = f"{where}{process_part_text(t, best.duration)}"
-            _require_adjoint_equation(
-                extended,
-                slope,
-                *process_point,
-                units,
-                largest,
-                list(problem.dynamics),
-                location,
-                (psi_uncertainty, slope_uncertainty),
-            )
-            _require_maximum(
-                extended,
-                *process_point,
-                units,
-                problem.duration,
-                location,
-                np.append(psi_uncertainty, 0),
-            )
+            point, uncertainty = (best, y, u, units, location), np.append(psi_uncertainty, 0)
+            accuracy = costate.rounding, largest, uncertainty, slope_uncertainty
+            _require_adjoint_equation(extended, slope, problem.state, point, *accuracy)
+            _require_maximum(extended, point, costate.rounding, problem.free_time, uncertainty)
         _require_equal_at_jumps(costate, best, values, sign, where)
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
         psi, initial = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
@@ -161,18 +144,16 @@ def optimal_switching(claim, problem, time):
 
 
 def _require_adjoint_equation(
-    extended, slope, best, y, u, rounding, units, largest, state, location, uncertainties
+    extended, slope, state, point, rounding, largest, uncertainty, slope_uncertainty
 ):
-    terms = -best.jacobians(y, u)[0].T * extended
+    best, y, u, units, location = point
+    slopes = best.jacobians(y, u)[0].T
+    terms = -slopes * extended
     size = np.abs(terms / units[:, None]).sum() + largest / best.duration
     # All of it is rounding where the best process stays at zero: there the problem has the scale.
     size = max(size, VANISHING / best.units.time)
     expected = terms.sum(axis=1)
-    allowed = (
-        10 * rounding * size * units
-        + uncertainties[1]
-        + np.abs(best.jacobians(y, u)[0].T) @ np.append(uncertainties[0], 0)
-    )
+    allowed = 10 * rounding * size * units + slope_uncertainty + np.abs(slopes) @ uncertainty
     if not np.all(np.abs(slope - expected) <= allowed):
         j = int(np.argmax(np.abs(slope - expected) / units))
         raise Wrong(
@@ -181,17 +162,14 @@ def _require_adjoint_equation(
         )
 
 
-def _require_maximum(extended, best, y, u, rounding, units, duration, location, uncertainty):
-    terms, *rival_terms = (
-        extended * best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))
-    )
+def _require_maximum(extended, point, rounding, free_time, uncertainty):
+    best, y, u, _, location = point
     fields = [best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))]
-    H, greatest_rival = (
-        terms.sum(),
-        max(
-            rival.sum() - uncertainty @ np.abs(field - fields[0])
-            for rival, field in zip(rival_terms, fields[1:])
-        ),
+    terms, *rival_terms = (extended * field for field in fields)
+    H = terms.sum()
+    greatest_rival = max(
+        rival.sum() - uncertainty @ np.abs(field - fields[0])
+        for rival, field in zip(rival_terms, fields[1:])
     )
     size = max(abs(H), *(abs(rival.sum()) for rival in rival_terms)) + np.abs(terms).sum()
     if not H >= greatest_rival - 10 * rounding * size:
@@ -199,11 +177,10 @@ def _require_maximum(extended, best, y, u, rounding, units, duration, location, 
             f"{location} the optimal control does not make H greatest with your costates: another one "
             "gives more"
         )
-    _require_stationary(extended, best, y, u, units, uncertainty, location)
+    _require_stationary(extended, point, uncertainty)
     H_uncertainty = uncertainty @ np.abs(fields[0])
-    if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
-        size + best.units.cost / best.units.time
-    ) + H_uncertainty:
+    unit = best.units.cost / best.units.time
+    if free_time and not abs(H) <= 10 * rounding * (size + unit) + H_uncertainty:
         raise Wrong(f"{location} H with your costates is not zero, as a free duration requires")
 
 
@@ -216,13 +193,8 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
         if None in kinds:
             continue
         t, y = best.times[j], np.append(best.states[:, j], 0)
-        extended, uncertainty = (
-            np.append(part, last)
-            for part, last in (
-                (costate.values(t * (1 - BEFORE), values), -sign),
-                (costate.uncertainty(t * (1 - BEFORE), values)[0], 0),
-            )
-        )
+        extended = np.append(costate.values(t * (1 - BEFORE), values), -sign)
+        uncertainty = np.append(costate.uncertainty(t * (1 - BEFORE), values)[0], 0)
         before, after = (best.field(y, u) for u in kinds)
         unit = best.units.cost / best.units.time
         allowed = (
@@ -235,8 +207,9 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
             )
 
 
-def _require_stationary(extended, best, y, u, units, uncertainty, location):
+def _require_stationary(extended, point, uncertainty):
     """Raise `Wrong` unless dH/du = 0 where the control lies between its bounds."""
+    best, y, u, units, location = point
     step = 1e-4 * (best.units.control + abs(u))
     if not best.bounds[0] < u - 9 * step < u + 9 * step < best.bounds[1]:
         return
@@ -255,11 +228,9 @@ def _require_stationary(extended, best, y, u, units, uncertainty, location):
 
 
 def _require_transversality(residual, normals, allowed, message, uncertainty):
-    projection = (
-        np.eye(len(residual)) - np.linalg.pinv(normals) @ normals
-        if len(normals)
-        else np.eye(len(residual))
-    )
+    projection = np.eye(len(residual))
+    if len(normals):
+        projection -= np.linalg.pinv(normals) @ normals
     if not np.all(
         np.abs(projection @ residual) <= 10 * allowed + 1e-9 + np.abs(projection) @ uncertainty
     ):

@@ -8,7 +8,7 @@ from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
 from workbook.checks.pontryagin.simulation import parabola_range
 from workbook.checks.pontryagin.time_functions import Control, Steering
 from workbook.checks.references.natural_units import COST, TIME
-from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.optima.runge_kutta import steered
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian
 from workbook.checks.tools.domains import sample_cases
@@ -39,6 +39,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     'wrong'
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
+    duration = float(problem.duration)
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)
     steering, sign = Steering(arcs, time, parameters), -1 if problem.maximise else 1
     costates = [sp.Dummy() for _ in problem.state]
@@ -54,10 +55,10 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         """Return H under the control minus H under others: a row a step, a column a control."""
         y = np.array([float(v) for v in problem.initial.values()])
         for _, h, controls in steps:
-            y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], y, h, controls)
+            y = steered(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], controls, y, h)
         z, rows = np.concatenate([y, final_costates(*y)]), []
         for _, h, controls in reversed(steps):
-            z = _step(lambda z, v: flow(*z, v), z, -h, controls[::-1])
+            z = steered(lambda z, v: flow(*z, v), controls[::-1], z, -h)
             rows.append(
                 function(*z, controls[0])[0] - function(*z, np.linspace(low, high, RIVALS))[0]
             )
@@ -67,15 +68,14 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
-        ends = steering.ends(values, float(problem.duration))
+        ends = steering.ends(values, duration)
         if ends and ends[-1] < (
-            float(problem.duration) * (1 - steering.rounding)
-            - steering.end_uncertainties(values)[-1]
+            duration * (1 - steering.rounding) - steering.end_uncertainties(values)[-1]
         ):
             raise Wrong(
                 f"{where}your last arc ends at {ends[-1]:.4g}, and the process lasts longer"
             )
-        steps = _steps(steering.sections(values, float(problem.duration)))
+        steps = _steps(steering.sections(values, duration))
         for t, _, controls in steps:
             for value in controls:
                 if not low - control_slack <= value <= high + control_slack:
@@ -85,18 +85,11 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         if start is not None and not abs(steps[0][2][0] - values[start]) <= control_slack:
             raise Wrong(f"{where}your control begins with {steps[0][2][0]:.4g}")
         advantages = advantage(steps)
-        perturbed_advantages = [
-            [advantage(_steps(side.sections(values, float(problem.duration)))) for side in sides]
-            for sides in steering.perturbed
-        ]
-        uncertainty = sum(
-            (
-                parabola_range(*(side - advantages for side in sides))[1]
-                for sides in perturbed_advantages
-                if all(side.shape == advantages.shape for side in sides)
-            ),
-            np.zeros_like(advantages),
-        )
+        uncertainty = np.zeros_like(advantages)
+        for pair in steering.perturbed:
+            sides = [advantage(_steps(side.sections(values, duration))) for side in pair]
+            if all(side.shape == advantages.shape for side in sides):
+                uncertainty += parabola_range(*(side - advantages for side in sides))[1]
         slack = 10 * steering.rounding * (unit + np.abs(advantages).max())
         for k in np.flatnonzero((advantages + uncertainty < -slack).any(axis=1))[-1:]:
             raise Wrong(
@@ -113,8 +106,3 @@ def _steps(sections, count=120):
         claimed, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
         steps += [(begin + k * h, h, claimed[2 * k : 2 * k + 3]) for k in range(count)]
     return steps
-
-
-def _step(field, y, h, controls):
-    """Return the state after a Runge-Kutta step, in which time is counted in steps."""
-    return rk4(lambda part, z: h * field(z, controls[round(2 * part)]), 0.0, y, 1.0)

@@ -27,11 +27,8 @@ class FeedbackLaw:
         self.state, (self.control,) = list(problem.dynamics), problem.controls
         law_parameters = [p for p in parameters if p not in self.state]
         symbols = [*self.state, *law_parameters, *([time] if time else [])]
-        self._timed, self._parameters, self.implicit = (
-            time is not None,
-            law_parameters,
-            isinstance(answer, sp.Eq),
-        )
+        self._timed, self._parameters = time is not None, law_parameters
+        self.implicit = isinstance(answer, sp.Eq)
         if self.implicit:
             left, right = (
                 coercion.as_expression(side, [self.control, *symbols]) for side in answer.args
@@ -47,25 +44,15 @@ class FeedbackLaw:
         self._function, self._arguments = real_function(symbols, [claim]), (symbols, [claim])
         self.no_value = "no solution between the bounds" if self.implicit else NO_NUMBER
         self.decimals = in_decimals(claim)
+
+        def variant(side):
+            side = sp.Eq(side, 0, evaluate=False) if self.implicit else side
+            return FeedbackLaw(side, problem, parameters, time, False)
+
         #: Pairs of laws, in each pair one decimal is changed by its uncertainty; none if the
         #: decimals are too many.
-        self.perturbed = (
-            [
-                [
-                    FeedbackLaw(
-                        sp.Eq(side, 0, evaluate=False) if self.implicit else side,
-                        problem,
-                        parameters,
-                        time,
-                        False,
-                    )
-                    for (side,) in pair
-                ]
-                for pair in perturbed(claim) or ()
-            ]
-            if with_variants
-            else ()
-        )
+        pairs = (with_variants and perturbed(claim)) or ()
+        self.perturbed = [[variant(side) for (side,) in pair] for pair in pairs]
         self.rounding = relative_tolerance(claim, computed=LAGGING)
 
     def multiprecision(self):

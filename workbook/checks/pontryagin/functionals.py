@@ -9,6 +9,7 @@ Euler equation is not formed.
 """
 
 import functools
+import itertools
 
 import numpy as np
 import sympy as sp
@@ -208,13 +209,8 @@ class _Motion:
     """
 
     def __init__(self, claim, best, where, rounding=COMPUTED, perturbed=()):
-        self.perturbed = perturbed
-        self.functional, self.best, self.where, self.rounding = (
-            best.functional,
-            best,
-            where,
-            rounding,
-        )
+        self.functional, self.best, self.where = best.functional, best, where
+        self.rounding, self.perturbed = rounding, perturbed
         time, n = self.functional.time, self.functional.order
         self._at = real_function([time], [sp.diff(claim, time, k) for k in range(n + 1)])
         self._claim_at = [real_function([time], [sp.diff(claim, time, k)]) for k in range(n)]
@@ -233,22 +229,18 @@ class _Motion:
         self.begin, self.end = best.begin, best.begin + best.duration
 
     def require_given_ends(self):
-        for point, end_values in (
-            (self.begin, self.functional.start),
-            (self.end, self.functional.end),
-        ):
-            for k, value in enumerate(end_values):
-                if value is None:
-                    continue
-                claimed, expected = self._value(k, point), float(value)
-                size = max(abs(expected), np.abs(self._along()[1][k]).max())
-                if not abs(claimed - expected) <= self.rounding * size + self._uncertainty(
-                    claimed, lambda motion: motion._value(k, point)
-                ):
-                    raise Wrong(
-                        f"{self.where}your motion does not satisfy a condition that is given at an end: "
-                        f"{self._name(k)} is {claimed:.4g} at t = {point:.4g}"
-                    )
+        for point, k, value in self._ends():
+            if value is None:
+                continue
+            claimed, expected = self._value(k, point), float(value)
+            size = max(abs(expected), np.abs(self._along()[1][k]).max())
+            if not abs(claimed - expected) <= self.rounding * size + self._uncertainty(
+                claimed, lambda motion: motion._value(k, point)
+            ):
+                raise Wrong(
+                    f"{self.where}your motion does not satisfy a condition that is given at an end: "
+                    f"{self._name(k)} is {claimed:.4g} at t = {point:.4g}"
+                )
 
     def require_stationary(self):
         n, span = self.functional.order, self.end - self.begin
@@ -265,24 +257,25 @@ class _Motion:
                     "functional to first order. Along an extremal no variation does"
                 )
         middle = (self.begin + self.end) / 2
-        for point, end_values in (
-            (self.begin, self.functional.start),
-            (self.end, self.functional.end),
+        for point, k, value in self._ends():
+            if value is not None:
+                continue
+            free_end = _end_variation(point, middle, k, n), point, middle, k
+            rate, size = self._free_end_variation(*free_end)
+            if not abs(rate) <= self.rounding * size + self._uncertainty(
+                rate, lambda motion: motion._free_end_variation(*free_end)[0]
+            ):
+                raise Wrong(
+                    f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved there, the "
+                    "functional changes to first order. So the natural condition at this end fails"
+                )
+
+    def _ends(self):
+        """Yield (instant, order of a derivative, its value if given) at both ends."""
+        for point, values in zip(
+            (self.begin, self.end), (self.functional.start, self.functional.end)
         ):
-            for k, value in enumerate(end_values):
-                if value is None:
-                    variation = _end_variation(point, middle, k, n)
-                    rate, size = self._free_end_variation(variation, point, middle, k)
-                    uncertainty = self._uncertainty(
-                        rate,
-                        lambda motion: motion._free_end_variation(variation, point, middle, k)[0],
-                    )
-                    if not abs(rate) <= self.rounding * size + uncertainty:
-                        raise Wrong(
-                            f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved "
-                            "there, the functional changes to first order. So the natural condition "
-                            "at this end fails"
-                        )
+            yield from ((point, k, value) for k, value in enumerate(values))
 
     def require_best(self):
         claimed, size = self._functional()
@@ -329,21 +322,15 @@ class _Motion:
 
     def _at_end(self):
         """Return the final cost Phi and its derivatives at the end of the motion."""
-        values = [
-            self._value(k, self.end) if k in self._needed else 0.0
-            for k in range(self.functional.order)
-        ]
-        return self._final(*values)
+        orders = range(self.functional.order)
+        return self._final(
+            *(self._value(k, self.end) if k in self._needed else 0.0 for k in orders)
+        )
 
     def _along(self):
-        parts = [
-            _quadrature(
-                self.begin + k / 10 * (self.end - self.begin),
-                self.begin + (k + 1) / 10 * (self.end - self.begin),
-            )
-            for k in range(10)
-        ]
-        nodes, weights = (np.concatenate(part) for part in zip(*parts))
+        borders = self.begin + np.arange(11) / 10 * (self.end - self.begin)
+        parts = itertools.starmap(_quadrature, itertools.pairwise(borders))
+        nodes, weights = map(np.concatenate, zip(*parts))
         return nodes, self._values(nodes), weights
 
     def _values(self, nodes):
@@ -385,15 +372,13 @@ def _end_variation(point, middle, k, n):
 
     All other derivatives up to order n - 1 vanish there, and all of them at `middle`.
     """
-    rows, size = [], 2 * n
-    for position in (point, middle):
-        for order in range(n):
-            rows.append(
-                [np.polyder(np.poly1d([1] + [0] * m), order)(position) for m in range(size)]
-            )
-    right_side = np.zeros(size)
-    right_side[k] = 1.0
-    return np.poly1d(np.linalg.solve(np.array(rows), right_side)[::-1])
+    powers = [np.poly1d([1] + [0] * m) for m in range(2 * n)]
+    rows = [
+        [np.polyder(power, order)(position) for power in powers]
+        for position in (point, middle)
+        for order in range(n)
+    ]
+    return np.poly1d(np.linalg.solve(np.array(rows), np.eye(2 * n)[k])[::-1])
 
 
 def _word(functional):

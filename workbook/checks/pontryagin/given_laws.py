@@ -15,6 +15,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.optima.runge_kutta import steered
 from workbook.checks.tools.domains import sample_cases
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at, value_at
@@ -30,11 +31,7 @@ STARTS, ITERATIONS, CONVERGED = 4, 30, 1e-10
 
 
 @judged(
-    Expressions(
-        lambda data: [data["by"] or data["time"]],
-        "parameters",
-        length=lambda data: len(data["problem"].state),
-    ),
+    Expressions(lambda data: [data["by"] or data["time"]], "parameters", length="problem.state"),
     problem="pontryagin.Problem with one control and a given duration",
 )
 def motion_under_law(claims, problem, law, time, parameters, by=None):
@@ -80,10 +77,8 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
-        true, claimed = (
-            final_quantity(*state, *constants, *case)[0],
-            value_at(claim, values, str(quantity)),
-        )
+        true = final_quantity(*state, *constants, *case)[0]
+        claimed = value_at(claim, values, str(quantity))
         # how far relative errors of the states could move the quantity
         shifted = [final_quantity(*y, *constants, *case)[0] for y in state + np.diag(1e-6 * sizes)]
         size = abs(true) + 1e6 * sum(abs(value - true) for value in shifted)
@@ -108,19 +103,13 @@ class _Run:
         self._start = real_function(names, [*problem.initial.values(), problem.duration])
 
     def __call__(self, *numbers):
-        numbers = np.broadcast_arrays(
-            *(np.atleast_1d(np.asarray(number, dtype=float)) for number in numbers)
-        )
+        numbers = np.broadcast_arrays(*(np.atleast_1d(np.asarray(n, dtype=float)) for n in numbers))
         *y, duration = self._start(*numbers)
         y, h = np.array(y), duration / STEPS
         halves = [self._steered(k * h / 2, *numbers)[0] for k in range(2 * STEPS + 1)]
         states = [y]
         for k in range(STEPS):
-            begin, middle, end = halves[2 * k : 2 * k + 3]
-            a = self._field(*y, begin, *numbers)
-            b = self._field(*(y + h / 2 * a), middle, *numbers)
-            c = self._field(*(y + h / 2 * b), middle, *numbers)
-            y = y + h / 6 * (a + 2 * b + 2 * c + self._field(*(y + h * c), end, *numbers))
+            y = steered(lambda z, u: self._field(*z, u, *numbers), halves[2 * k : 2 * k + 3], y, h)
             states.append(y)
         return np.outer(range(STEPS + 1), h), np.array(states), np.array(halves[::2])
 
@@ -133,10 +122,8 @@ def _final_states(problem, law, time, unknown, parameters):
     """
     unknown, parameters = dict(unknown), dict(parameters)
     names, cases = [*unknown, *parameters], np.array(sample_cases(parameters)).T
-    run, terminal_conditions = (
-        _Run(problem, law, time, names),
-        real_function([*problem.state, *names], list(problem.terminal)),
-    )
+    run = _Run(problem, law, time, names)
+    terminal_conditions = real_function([*problem.state, *names], list(problem.terminal))
     low, high = (
         np.array([float(getattr(domain, side)) for domain in unknown.values()])[:, None]
         for side in ("inf", "sup")
@@ -145,10 +132,8 @@ def _final_states(problem, law, time, unknown, parameters):
     initial_points = (
         low + (high - low) * np.array(list(itertools.product(shares, repeat=len(unknown)))).T
     )
-    points, point_cases = (
-        np.tile(initial_points, cases.shape[1]),
-        np.repeat(cases, initial_points.shape[1], axis=1),
-    )
+    points = np.tile(initial_points, cases.shape[1])
+    point_cases = np.repeat(cases, initial_points.shape[1], axis=1)
 
     def residual(candidates, candidate_cases):
         states = run(*candidates, *candidate_cases)[1]

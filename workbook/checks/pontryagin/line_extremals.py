@@ -11,12 +11,10 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import Law
 from workbook.checks.pontryagin.synthesis_units import in_natural_units, time_unit
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import value_text, values_text
 
@@ -63,18 +61,10 @@ def _second_extremal(system, target, start):
     line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
     plant = sp.Matrix([sp.sympify(f) for f in system.field])
     first, second = (sp.Dummy(name, real=True) for name in ("T1", "T2"))
-    beyond = (
-        reach.beyond_line(
-            plant.jacobian(state),
-            plant.diff(control),
-            list(map(sp.sympify, bounds)),
-            state,
-            line,
-            first,
-        )
-        if not any(plant.subs(zero))
-        else None
-    )
+    beyond = None
+    if not any(plant.subs(zero)):
+        parts = plant.jacobian(state), plant.diff(control), list(map(sp.sympify, bounds))
+        beyond = reach.beyond_line(*parts, state, line, first)
     if beyond is None:
         batch, second_times = _line_extremals(
             sampled_optimum(*synthesis_data(system, target, {}, start))
@@ -169,11 +159,9 @@ def _line_extremals(reference):
         reach = plant.extreme(np.tile(p, (len(times), 1)), times, np.ones(len(times)))
         F = np.einsum("i,tij,nj->nt", p, transitions, points) + reach - level
         n, j = np.nonzero((F[:, :-1] < 0) & (F[:, 1:] >= 0))
-        low, high = times[j], times[j + 1]
-        for _ in range(45):
-            middle = (low + high) / 2
-            negative = support_gap(middle, points[n]) < 0
-            low, high = np.where(negative, middle, low), np.where(negative, high, middle)
+        low, high = bisect(
+            lambda T, k, n=n: support_gap(T, points[n[k]]) < 0, times[j], times[j + 1], 45
+        )
         point_indices.append(n)
         crossing_times.append((low + high) / 2)
         turning = (F[:, 1:-1] < F[:, :-2]) & (F[:, 1:-1] < F[:, 2:]) | (F[:, 1:-1] > F[:, :-2]) & (

@@ -12,11 +12,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.direction import directed
-from workbook.checks.contract.tolerance import (
-    EXACT,
-    agree,
-    in_decimals,
-)
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     RIVALS,
@@ -39,14 +35,7 @@ UNBOUNDED = 20.0
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def pontryagin_function(claim, problem, costates, domain=None):
@@ -76,13 +65,7 @@ def pontryagin_function(claim, problem, costates, domain=None):
 
 @judged(
     Expressions(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ],
-        length="costates",
+        "problem.state", "problem.control", "costates", "problem.parameters", length="costates"
     ),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
@@ -113,14 +96,7 @@ def adjoint_equations(claims, problem, costates, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def switching_function(claim, problem, costates, control=None, domain=None):
@@ -154,14 +130,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with one control, its duration also an interval",
 )
 def switching_rate(claim, problem, costates, control=None, domain=None):
@@ -237,23 +206,20 @@ def maximising_control(answer, problem, costates, domain=None):
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # Decimals leave the control uncertain, and near its maximum H hardly depends on it.
+        near_axes = [
+            np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
+            for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
+        ]
+        rival_axes = [
+            unit * _rivals(value / unit, *np.array(pair) / unit)
+            for unit, value, pair in zip(control_units, claimed, bounds)
+        ]
         near, rivals = (
-            np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
-            for parts in (
-                [
-                    np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
-                    for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
-                ],
-                [
-                    unit * _rivals(value / unit, *np.array(pair) / unit)
-                    for unit, value, pair in zip(control_units, claimed, bounds)
-                ],
-            )
+            np.array(np.meshgrid(*axes)).reshape(len(controls), -1)
+            for axes in (near_axes, rival_axes)
         )
-        claimed_values, rival_values = (
-            H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1],
-            H(*numbers, *rivals)[0],
-        )
+        claimed_values = H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1]
+        rival_values = H(*numbers, *rivals)[0]
         if not claimed_values.max() >= np.nanmax(rival_values) - 1e-9 * np.ptp(
             rival_values
         ) - 0.01 * np.ptp(claimed_values):
@@ -265,9 +231,7 @@ def maximising_control(answer, problem, costates, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]
-    ),
+    Expression("problem.state", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls",
 )
 def maximised_hamiltonian(claim, problem, costates, domain=None):
@@ -302,17 +266,10 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             for slope, (low, high) in zip(numbers, control_bounds(problem, values))
         ]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(remaining_terms)]
-        claimed, expected = (
-            value_at(claim, values, "the greatest value of H"),
-            sum(parts) + sum(terms),
-        )
-        if not agree(
-            claimed,
-            expected,
-            claim,
-            max(map(abs, [*parts, *terms])),
-            uncertain=uncertainty_at(claim, values),
-        ):
+        claimed = value_at(claim, values, "the greatest value of H")
+        expected = sum(parts) + sum(terms)
+        size = max(map(abs, [*parts, *terms]))
+        if not agree(claimed, expected, claim, size, uncertain=uncertainty_at(claim, values)):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + directed(
@@ -390,11 +347,5 @@ def _rivals(value, low, high):
     """Return admissible controls to compare with: over the whole interval and around a value."""
     low, high = max(low, value - UNBOUNDED), min(high, value + UNBOUNDED)
     around = (1 + abs(value)) * np.geomspace(1e-4, 0.1, 13)
-    return np.unique(
-        np.concatenate(
-            [
-                np.linspace(low, high, RIVALS),
-                np.clip([value - around, value + around], low, high).ravel(),
-            ]
-        )
-    )
+    sides = np.clip([value - around, value + around], low, high)
+    return np.unique([*np.linspace(low, high, RIVALS), *sides.ravel()])

@@ -14,22 +14,9 @@ from workbook.checks.contract.shapes import LIST_OR_RANGES
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.changes_compared import LOCATED
 from workbook.checks.pontryagin.parameter_ranges import with_ranges
-from workbook.checks.pontryagin.simulation import (
-    AT_OWN_END,
-    Path,
-    on_target,
-    require_optimal,
-)
-from workbook.checks.pontryagin.time_functions import (
-    INTEGRATED,
-    Control,
-    Steering,
-    values_of,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    free_at_the_start,
-)
+from workbook.checks.pontryagin.simulation import AT_OWN_END, Path, on_target, require_optimal
+from workbook.checks.pontryagin.time_functions import INTEGRATED, Control, Steering, values_of
+from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.wording import prefix_text
@@ -83,27 +70,16 @@ def optimal_control(claim, problem, time, parameters=None):
         sections = steering.sections(values, best.duration)
         path = Path(best, sections, where)
         path.require_admissible(steering.decimal_tolerance)
-        perturbed_ends, paired_ends = (
-            [
-                [
-                    Path(best, side.sections(values, best.duration), where).states[-1]
-                    for side in sides
-                ]
-                for sides in part
-            ]
+
+        def end_of(side, values=values, best=best, where=where):
+            return Path(best, side.sections(values, best.duration), where).states[-1]
+
+        ends = (
+            [[*map(end_of, sides)] for sides in part]
             for part in (steering.perturbed, steering.perturbed_in_pairs)
         )
-        require_optimal(
-            path.times,
-            path.states,
-            best,
-            problem,
-            duration_factor * steering.rounding,
-            where,
-            source,
-            perturbed_ends,
-            paired_ends,
-        )
+        process = path.times, path.states, best, problem
+        require_optimal(*process, duration_factor * steering.rounding, where, source, *ends)
         _require_jumps(sections, best, steering.rounding, where)
         _require_continuous_changes(sections, steering.perturbed, best, values, where)
         if steering.decimal_tolerance == INTEGRATED:
@@ -123,31 +99,17 @@ def _require_matching_end(steering, values, best, problem, where, source):
     if not (ends := steering.ends(values, counted)):
         return
     (begin, end), uncertainties = [0.0, *ends][-2:], [0.0, *steering.end_uncertainties(values)][-2:]
-    early, late = (
-        end < best.duration * (1 - steering.rounding) - uncertainties[1],
-        begin > best.duration * (1 + steering.rounding) + uncertainties[0],
-    )
+    early = end < best.duration * (1 - steering.rounding) - uncertainties[1]
+    late = begin > best.duration * (1 + steering.rounding) + uncertainties[0]
     if problem.free_time:
         own_path, cut_path = (
             Path(best, steering.sections(values, until), where) for until in (end, best.duration)
         )
-        if (
-            early
-            or late
-            or on_target(own_path.states[-1], best, steering.rounding)
-            > on_target(cut_path.states[-1], best, steering.rounding)
-        ):
+        own, cut = (on_target(p.states[-1], best, steering.rounding) for p in (own_path, cut_path))
+        if early or late or own > cut:
             own_path.require_admissible(steering.decimal_tolerance)
-            require_optimal(
-                own_path.times,
-                own_path.states,
-                best,
-                problem,
-                steering.rounding,
-                where,
-                source,
-                when=AT_OWN_END,
-            )
+            process = own_path.times, own_path.states, best, problem
+            require_optimal(*process, steering.rounding, where, source, when=AT_OWN_END)
     if early or late:
         raise Wrong(
             f"{where}your last arc "
@@ -179,10 +141,8 @@ def _require_jumps(sections, best, rounding, where):
                 f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
             )
     for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
-        bound_value, slack = (
-            controls[k],
-            max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control),
-        )
+        bound_value = controls[k]
+        slack = max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control)
         if abs(controls[inner] - bound_value) < slack and (
             point := _gradual_change_time(
                 sections, times[inner], bound_value, end, None, slack, best.duration
@@ -248,20 +208,14 @@ def _require_continuous_changes(sections, perturbed, best, values, where):
             > allowed
         ):
             continue  # at a singular arc the best one jumps too
-        bound, inner = best.times[j] + (offset if before is None else -offset) * np.array(
-            [1.0, -1.0]
+        side = offset if before is None else -offset
+        ends = best.times[j] + side, best.times[j] - side, SAME * (high - low)
+        claimed = _jump(sections, *ends)
+        jumps = (
+            [_jump(variant.sections(values, best.duration), *ends) for variant in pair]
+            for pair in perturbed
         )
-        claimed, *perturbed_jumps = (
-            _jump(arcs, bound, inner, SAME * (high - low))
-            for arcs in (
-                sections,
-                *(side.sections(values, best.duration) for sides in perturbed for side in sides),
-            )
-        )
-        uncertainty = sum(
-            max(abs(below - claimed), abs(above - claimed))
-            for below, above in zip(perturbed_jumps[::2], perturbed_jumps[1::2])
-        )
+        uncertainty = sum(max(abs(jump - claimed) for jump in pair) for pair in jumps)
         if not abs(claimed) <= allowed / 10 + uncertainty:
             raise Wrong(
                 f"{where}your control jumps by {claimed:.2g} where the best one changes without a jump"

@@ -20,6 +20,7 @@ from workbook.checks.pontryagin.simulation import point_text, require_optimal
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
+from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text
@@ -92,10 +93,8 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
-            claimed, true = (
-                float(curve(y[k], *(float(values[p]) for p in other_parameters))[0]),
-                y[1 - k],
-            )
+            claimed = float(curve(y[k], *(float(values[p]) for p in other_parameters))[0])
+            true = y[1 - k]
             points.append({variable: y[k], **{p: values[p] for p in other_parameters}})
             uncertain = uncertainty_at(claim, points[-1])
             if not np.isfinite(claimed):
@@ -124,24 +123,16 @@ def _require_best_control(law, values, best):
     selected = (np.abs(states) > AWAY * largest).any(axis=0)
     times, states, controls = times[selected], states[:, selected], controls[selected]
     width = high - low if np.isfinite(high - low) else best.units.control + np.abs(controls)
-    n, (steps,) = len(states), (BESIDE[coarse] * (np.abs(states) + 0.02 * largest)[None],)
+    n, steps = len(states), BESIDE[coarse] * (np.abs(states) + 0.02 * largest)
     shifts = np.array(
         [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]
     )
     around = states + shifts[:, :, None] * steps
-    claimed = law(
-        np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds
-    )
-    claimed = claimed.reshape(len(shifts), -1)
+    around, at = np.concatenate(list(around), axis=1), np.tile(times, len(shifts))
+    claimed = law(around, at, values, best.bounds).reshape(len(shifts), -1)
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
-    accuracy = np.where(
-        [
-            min((abs(t - bend) for bend in bends), default=np.inf) < AWAY * best.duration
-            for t in times
-        ],
-        BENT,
-        CONTROL_ACCURACY,
-    )
+    beside_bends = [any(abs(t - bend) < AWAY * best.duration for bend in bends) for t in times]
+    accuracy = np.where(beside_bends, BENT, CONTROL_ACCURACY)
     slack = (accuracy + (law.rounding if coarse else 0)) * width
     for pair in law.perturbed:
         claimed_here, *sides = (
@@ -165,16 +156,12 @@ def _require_scale_invariance(law, values, best, factors):
     """Raise `Wrong` for a law that changes with the units, in which the problem is the same."""
     times, states, _ = _compared_points(best, BEFORE[law.decimals])
     weights = [float(factors[x]) for x in law.state]
-    scaled_states, scaled_values = (
-        np.array(weights)[:, None] * states,
-        {p: v * factors[p] for p, v in values.items()},
-    )
+    scaled_states = np.array(weights)[:, None] * states
+    scaled_values = {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    claimed, expected = (
-        law(scaled_states, times * time, scaled_values, bounds),
-        scale * law(states, times, values, best.bounds),
-    )
+    claimed = law(scaled_states, times * time, scaled_values, bounds)
+    expected = scale * law(states, times, values, best.bounds)
     for k in first_difference(
         claimed,
         expected,
@@ -205,13 +192,8 @@ def _compared_points(best, share):
     for (j, *kinds), begin, end in zip(best.changes(), ends, ends[2:]):
         for u, side, available in zip(kinds, (-1, 1), (best.times[j] - begin, end - best.times[j])):
             if u is not None and 2 * offset < available:
-                points.append(
-                    (
-                        best.times[j] + side * offset,
-                        _state_after(best, best.states[:, j], u, side * offset),
-                        u,
-                    )
-                )
+                state = _state_after(best, best.states[:, j], u, side * offset)
+                points.append((best.times[j] + side * offset, state, u))
             elif u is None:
                 points += [
                     part
@@ -224,10 +206,8 @@ def _compared_points(best, share):
 
 def _points_near_change(best, j, side):
     """Yield (time, state, control) between a change and the next time of a varying control."""
-    next_control, control_at_change = (
-        best.controls[j + side],
-        best.controls[j] if side < 0 else best.controls[j + 1],
-    )
+    next_control = best.controls[j + side]
+    control_at_change = best.controls[j] if side < 0 else best.controls[j + 1]
     if side > 0:  # at the change only the control of the arc before it is known
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
         control_at_change = v - (w - v) * t / (s - t)
@@ -256,28 +236,23 @@ def _require_jumps(law, values, best):
     reach with the same control.
     """
     offset = BEFORE[law.decimals] * best.duration
-    _low, _high = best.bounds
     for j, before, after in best.changes():
         if before is None or after is None:
             continue
-        t, (before_jump, after_jump) = (
-            best.times[[j]],
-            (_state_after(best, best.states[:, j], before, h)[:, None] for h in (-offset, offset)),
+        t, state = best.times[[j]], best.states[:, j]
+        before_jump, after_jump = (
+            _state_after(best, state, before, h)[:, None] for h in (-offset, offset)
         )
         slack = law.rounding * abs(after - before)
 
-        def control_at(point, before_jump=before_jump, after_jump=after_jump, t=t):
-            return law(before_jump + point * (after_jump - before_jump), t, values, best.bounds)[0]
+        def near(u, points, t=t, start=before_jump, way=after_jump - before_jump, slack=slack):
+            times = np.repeat(t, len(points))
+            return abs(law(start + points * way, times, values, best.bounds) - u) <= slack
 
-        if not (abs(control_at(0.0) - before) <= slack and abs(control_at(1.0) - after) <= slack):
+        if not (near(before, np.zeros(1)) and near(after, np.ones(1))):
             continue
-        first, last = 0.0, 1.0
-        for _ in range(30):
-            middle = (first + last) / 2
-            first, last = (
-                (middle, last) if abs(control_at(middle) - before) <= slack else (first, middle)
-            )
-        if not abs(control_at(min(last + ACROSS, 1.0)) - after) <= slack:
+        _, last = bisect(lambda points, _, u=before: near(u, points), np.zeros(1), np.ones(1), 30)
+        if not near(after, np.minimum(last + ACROSS, 1)):
             raise Wrong(
                 f"{prefix_text(values)}at {point_text(best.states[:, j])} the best control jumps; "
                 "your law gives values between"

@@ -17,16 +17,8 @@ from workbook.checks.pontryagin.simulation import (
     require_end_conditions,
     require_single_meeting,
 )
-from workbook.checks.pontryagin.time_functions import (
-    ENDING,
-    InTime,
-    Motion,
-    jumps,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    free_at_the_start,
-)
+from workbook.checks.pontryagin.time_functions import ENDING, InTime, Motion, jumps
+from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.wording import NO_NUMBER, prefix_text, process_part_text, round_instants
 
@@ -57,10 +49,8 @@ def optimal_motion(claims, problem, time, parameters=None):
     ('right', 'wrong')
     """
     parameters = with_ranges(problem, parameters)
-    motion, has_initial_value = (
-        InTime(claims, time, parameters),
-        ~np.array(free_at_the_start(problem, parameters)),
-    )
+    motion = InTime(claims, time, parameters)
+    has_initial_value = ~np.array(free_at_the_start(problem, parameters))
     # A motion that arrives in the least time is optimal, whatever its earlier states are.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):
@@ -68,11 +58,8 @@ def optimal_motion(claims, problem, time, parameters=None):
         start = motion.values(0.0, values)
         if not np.isfinite(start[has_initial_value]).all():
             raise Wrong(f"{where}your motion is {NO_NUMBER}, at the initial time")
-        if not np.all(
-            (np.abs(start - best.start[:-1]) <= slack + motion.uncertainty(0.0, values)[0])[
-                has_initial_value
-            ]
-        ):
+        allowed = slack + motion.uncertainty(0.0, values)[0]
+        if not np.all((np.abs(start - best.start[:-1]) <= allowed)[has_initial_value]):
             raise Wrong(
                 f"{where}your motion does not satisfy the initial conditions: it starts at "
                 f"{point_text(start)}"
@@ -94,18 +81,9 @@ def optimal_motion(claims, problem, time, parameters=None):
         if problem.first_return:
             require_single_meeting([0.0, *best.times], [start, *states], best, where)
         end = np.append(motion.values(ENDING * best.duration, values), 0)
-        require_end_conditions(
-            end,
-            best,
-            motion.rounding,
-            where + "on your motion",
-            [
-                (end - side, end + side)
-                for side in np.diag(
-                    np.append(motion.uncertainty(ENDING * best.duration, values)[0], 0)
-                )
-            ],
-        )
+        sides = np.diag(np.append(motion.uncertainty(ENDING * best.duration, values)[0], 0))
+        ends = [(end - side, end + side) for side in sides]
+        require_end_conditions(end, best, motion.rounding, where + "on your motion", ends)
         differences = np.abs(np.array(states)[:, :-1].T - best.states)
         if not (
             only_time

@@ -16,17 +16,9 @@ from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.optimal_controls import ARC_ACCURACY, CONTROL_ACCURACY, MISSED_ARC
 from workbook.checks.pontryagin.parameter_ranges import with_ranges
-from workbook.checks.pontryagin.simulation import (
-    COSTS,
-    point_text,
-)
-from workbook.checks.pontryagin.time_functions import (
-    INTEGRATED,
-)
-from workbook.checks.references.optima.best_processes import (
-    best_processes,
-    best_processes_at,
-)
+from workbook.checks.pontryagin.simulation import COSTS, point_text
+from workbook.checks.pontryagin.time_functions import INTEGRATED
+from workbook.checks.references.optima.best_processes import best_processes, best_processes_at
 from workbook.checks.references.optima.transfer_optima import SAMPLES
 from workbook.checks.references.optima.units import constant_of, is_time_optimal, without_constant
 from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
@@ -153,33 +145,29 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
     processes_at_kinks = best_processes_at(
         problem, parameters, points_at_kinks(claim, [values for values, _ in processes])
     )
-    compared = []
-    for (values, best), claimed, uncertain in (
-        _evaluated(claim, processes_at_kinks, f"the {NOUNS[quantity]}")
-        if processes_at_kinks
-        else ()
-    ):
+    if not processes_at_kinks:
+        return
+    compared, noun = [], NOUNS[quantity]
+    for (values, best), claimed, uncertain in _evaluated(claim, processes_at_kinks, f"the {noun}"):
         true = getattr(best, quantity)
         if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), uncertain):
             raise Wrong(
                 f"{prefix_text(values)}your expression changes from one formula to another near this "
-                f"point, and gives {claimed:.4g}; the {NOUNS[quantity]} of the best process found is "
+                f"point, and gives {claimed:.4g}; the {noun} of the best process found is "
                 + directed("less" if claimed > true else "greater", "not this")
             )
         compared.append((values, claimed, true))
     for first, second in itertools.pairwise(compared):
         values, first_claimed, first_true = first
         second_values, second_claimed, second_true = second
-        adjacent = all(
-            np.isclose(float(values[s]), float(second_values[s]), rtol=BESIDE, atol=BESIDE)
-            for s in values
-        )
+        points = ([float(point[s]) for s in values] for point in (values, second_values))
+        adjacent = np.allclose(*points, rtol=BESIDE, atol=BESIDE)
         if adjacent and abs(second_claimed - first_claimed) > LEAPS * max(
             abs(second_true - first_true), COSTS * abs(first_claimed)
         ):
             raise Wrong(
                 f"{prefix_text(values)}your expression jumps where it changes its formula; near this "
-                f"point the {NOUNS[quantity]} of the best process found hardly changes"
+                f"point the {noun} of the best process found hardly changes"
             )
 
 
@@ -276,22 +264,14 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         )
         true = float(sum(end - begin for _, begin, end in initial_arcs))
         true_durations.append((values, true))
-        if not agree(
-            claimed,
-            true,
-            claim,
-            best.duration,
-            ARC_ACCURACY if true else MISSED_ARC,
-            uncertainty_at(claim, values),
-        ):
+        accuracy, uncertain = ARC_ACCURACY if true else MISSED_ARC, uncertainty_at(claim, values)
+        if not agree(claimed, true, claim, best.duration, accuracy, uncertain):
             raise Wrong(
                 f"{prefix_text(values)}by your answer {control} is {value} for the first {claimed:.4g} "
                 "units of time; in the best process found it is so "
                 + directed(
-                    "for a longer time"
-                    if true > claimed
-                    else "for a shorter time"
-                    if true
+                    f"for a {'longer' if true > claimed else 'shorter'} time"
+                    if true > min(claimed, 0)
                     else "not at the beginning",
                     "not for just this time",
                 )
@@ -310,16 +290,9 @@ def _require_corner(claim, true_durations):
     where the arc appears, so that the slope is no smaller close to it.
     """
     symbols = [s for s in true_durations[0][0] if s in claim.free_symbols]
-    absent, present = (
-        np.array(
-            [
-                [float(values[s]) for s in symbols]
-                for values, true in true_durations
-                if (true > 0) == is_positive
-            ]
-        )
-        for is_positive in (False, True)
-    )
+    points = np.array([[float(values[s]) for s in symbols] for values, _ in true_durations])
+    is_present = np.array([true > 0 for _, true in true_durations])
+    absent, present = points[~is_present], points[is_present]
     function, count = real_function(symbols, [claim]), min(len(absent), len(present))
     if not count:
         return

@@ -6,17 +6,14 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import (
-    DECIMALS,
-    in_decimals,
-    perturbed,
-)
+from workbook.checks.contract.tolerance import DECIMALS, in_decimals, perturbed
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.numeric_functions import LONG, real_function
 from workbook.checks.tools.samples import cached_points
 from workbook.checks.tools.substitution import real_at, substituted
+from workbook.checks.tools.values import summed_changes
 
 #: Number of points at which an identity is compared, and of other controls with which a greatest
 #: value is compared.
@@ -57,9 +54,8 @@ class ZeroSet:
             return self._largest_uncertainty
         numbers = self._numbers(values)
         residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        changes = sum(
-            np.fmax(*(abs(side(*numbers) - residuals) for side in sides))
-            for sides in self._perturbed
+        changes = summed_changes(
+            residuals, ((side(*numbers) for side in sides) for sides in self._perturbed)
         )
         steps = changes / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
         return float(
@@ -116,10 +112,8 @@ class ZeroSet:
         numbers = self._numbers(values)
         point, parameter_values = np.split(np.array(numbers), [len(self._symbols)])
         for _ in range(80):  # at double zeros each step halves the distance
-            residuals, slopes = (
-                self._values(*point, *parameter_values),
-                self._slopes(*point, *parameter_values).reshape(self._count, -1),
-            )
+            residuals = self._values(*point, *parameter_values)
+            slopes = self._slopes(*point, *parameter_values).reshape(self._count, -1)
             if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
                 return None
             step = np.linalg.lstsq(slopes, residuals, rcond=1e-12)[0]
@@ -130,16 +124,22 @@ class ZeroSet:
         return None
 
 
+def shares_of(symbols, generator):
+    """Return random shares of the range of each symbol: its values lie all over its range."""
+    return {
+        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
+        for s in symbols
+    }
+
+
 @cached_points
 def sample_points(problem, costates, domain, controls=True, use_known_costates=False):
     """Yield random values of all symbols, first with the controls on their bounds.
 
     With `use_known_costates` those that transversality determines have their values.
     """
-    generator, values = (
-        np.random.default_rng(11),
-        known_costates(problem, costates) if use_known_costates else {},
-    )
+    generator = np.random.default_rng(11)
+    values = known_costates(problem, costates) if use_known_costates else {}
     symbols = [
         *problem.state,
         *costates,
@@ -147,11 +147,7 @@ def sample_points(problem, costates, domain, controls=True, use_known_costates=F
         *(problem.control if controls else ()),
     ]
     units = sample_units(problem, costates, domain)
-    # Each symbol takes values all over its range.
-    shares = {
-        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
-        for s in symbols
-    }
+    shares = shares_of(symbols, generator)
     for k in range(SAMPLES):
         position = {
             s: random_value(generator, s, domain, shares[s][k], float(units.get(s, 1)))

@@ -8,6 +8,7 @@ import numpy as np
 
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.pontryagin.time_functions import INTEGRATED, values_of
+from workbook.checks.references.optima.runge_kutta import steered
 from workbook.checks.tools import wording
 
 #: Relative accuracy of the least cost, and of the cost of a process that is integrated in small
@@ -38,7 +39,7 @@ class Path:
             claimed = u(times).tolist()
             for k in range(1, 2 * steps, 2):
                 try:
-                    y = _step(best.field, claimed[k - 1 : k + 2], y, h)
+                    y = steered(best.field, claimed[k - 1 : k + 2], y, h)
                 except OverflowError:  # Python's powers raise it, where NumPy's are infinite
                     raise Wrong(
                         f"{where}under your control the states become too large to be computed with "
@@ -185,13 +186,3 @@ def point_text(values):
     """Return a state as text; one coordinate is written as a number."""
     text = wording.point_text(values)
     return text[1:-1] if len(values) == 1 else text
-
-
-def _step(field, controls, y, h):
-    """Return the state after a Runge-Kutta step; the control is given at its begin, middle, end."""
-    begin, middle, end = controls
-    a = field(y, begin)
-    b = field(y + h / 2 * a, middle)
-    c = field(y + h / 2 * b, middle)
-    d = field(y + h * c, end)
-    return y + h / 6 * (a + 2 * b + 2 * c + d)

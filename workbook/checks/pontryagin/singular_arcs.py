@@ -12,9 +12,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
 from workbook.checks.contract.members import members
-from workbook.checks.contract.tolerance import (
-    agree,
-)
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
     POINT_ACCURACY,
@@ -135,14 +133,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_control(claim, problem, costates, control=None, domain=None):
@@ -188,14 +179,7 @@ def singular_control(claim, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expressions(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["problem"].parameters,
-        ],
-        length="costates",
-    ),
+    Expressions("problem.state", "problem.control", "problem.parameters", length="costates"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def singular_costates(claims, problem, costates, control=None, domain=None):
@@ -212,10 +196,8 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                     f"your {psi} depends on {arcs.control}, which can have any value at a "
                     "single instant there"
                 )
-            claimed, size = (
-                value_at(claim, values, str(psi)),
-                max(abs(values[costate]) for costate in costates),
-            )
+            claimed = value_at(claim, values, str(psi))
+            size = max(abs(values[costate]) for costate in costates)
             if not agree(
                 claimed, values[psi], claim, size, POINT_ACCURACY, uncertainty_at(claim, values)
             ):
@@ -228,14 +210,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
 
 
 @judged(
-    Expression(
-        lambda data: [
-            *data["problem"].state,
-            *data["problem"].control,
-            *data["costates"],
-            *data["problem"].parameters,
-        ]
-    ),
+    Expression("problem.state", "problem.control", "costates", "problem.parameters"),
     problem="pontryagin.Problem with any number of controls, its duration also an interval",
 )
 def kelley_expression(claim, problem, costates, control=None, domain=None):
@@ -259,14 +234,11 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
-        claimed = value_at(claim, values, "Kelley's expression")
-        if not agree(
-            claimed,
-            real_at(true, values),
-            claim,
-            computed=POINT_ACCURACY,
-            uncertain=uncertainty_at(claim, values),
-        ):
+        claimed, uncertain = (
+            value_at(claim, values, "Kelley's expression"),
+            uncertainty_at(claim, values),
+        )
+        if not agree(claimed, real_at(true, values), claim, 0, POINT_ACCURACY, uncertain):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {claimed:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"

@@ -11,7 +11,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
-from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.contract.verdict import UnsuitableData, Wrong, judged
 from workbook.checks.pontryagin.synthesis_units import in_natural_units, ordinate_unit
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
@@ -22,6 +22,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import summed_changes
 from workbook.checks.tools.wording import NO_NUMBER
 
 #: Accuracy of a switching curve, relative to its coordinates.
@@ -30,33 +31,37 @@ LOCATED = 1e-4
 
 @judged(Expression("domain", "parameters"))
 @in_natural_units(ordinate_unit)
-def switching_curve(claim, system, target, domain, parameters=None, start=None):
-    """Check a branch of the switching curve over the interval that `domain` gives.
+def switching_curve(claim, system, target, domain, parameters=None, start=None, kind="switching"):
+    """Check a curve of a time-optimal synthesis over the interval that `domain` gives.
 
-    One state variable is an expression in the other.
+    One state variable is an expression in the other. On a branch of the "switching" curve the control
+    changes, from a "dispersal" curve two motions are equally fast, and across a "barrier" the fastest
+    time jumps.
+
+    Can decide when the system is linear in two states with one bounded control, and the target is
+    a point, a line, a segment or the border of a convex set; optima on both sides are compared.
+
+    Examples
+    --------
+    >>> from workbook.systems import Controlled
+    >>> x, v, u = sp.symbols("x v u", real=True)
+    >>> cart, near = Controlled({x: v, v: u}, {u: (-1, 1)}), {v: sp.Interval(-3, 3)}
+    >>> checks.switching_curve(-v*sp.Abs(v)/2, cart, [x, v], near).status
+    'right'
+    >>> checks.switching_curve(-v*sp.Abs(v), cart, [x, v], near).status
+    'wrong'
     """
-    return _judge_switching(
-        claim, *domain.items(), synthesis_data(system, target, parameters, start)
-    )
-
-
-@judged(Expression("domain", "parameters"))
-@in_natural_units(ordinate_unit)
-def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
-    """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
-    return _judge_dispersal(
-        claim, *domain.items(), synthesis_data(system, target, parameters, start)
-    )
-
-
-@judged(Expression("domain", "parameters"))
-@in_natural_units(ordinate_unit)
-def barrier(claim, system, target, domain, parameters=None, start=None):
-    """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
-    return _judge_barrier(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+    if kind not in KINDS:
+        raise UnsuitableData(f"kind: expected one of {', '.join(KINDS)}, got {kind}")
+    return _judge(kind, claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
+def _judge(kind, *curve):
+    """Return the message on a curve of a kind, cached since a curve is often judged again."""
+    return KINDS[kind](*curve)
+
+
 def _judge_switching(*curve):
     points = list(_sides_of(*curve, (1.0,)))
     for message, (first,), (second,), away in points:
@@ -72,7 +77,6 @@ def _judge_switching(*curve):
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
-@functools.lru_cache(maxsize=64)
 def _judge_dispersal(*curve):
     points = list(_sides_of(*curve, (1.0,)))
     for message, (first,), (second,), away in points:
@@ -105,10 +109,7 @@ def _require_extremal_switchings(claim, domain, data):
         real_function(symbols, [expression])(*numbers)[0]
         for expression in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
     )
-    uncertainty = sum(
-        np.fmax(abs(below - claimed), abs(above - claimed))
-        for below, above in zip(sides[::2], sides[1::2])
-    )
+    uncertainty = summed_changes(claimed, zip(sides[::2], sides[1::2]))
     for k in np.flatnonzero(~(abs(claimed - true) <= LOCATED * abs(true) + uncertainty))[:1]:
         raise Wrong(
             f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not "
@@ -127,10 +128,8 @@ def _require_change_on_curve(points, claim, domain, data):
         np.array([getattr(optimum, name) for _, (optimum,), *_ in points])
         for name in ("control", "case")
     )
-    curve_points, across = (
-        (first + last) / 2,
-        (first - last) / np.linalg.norm(first - last, axis=1)[:, None],
-    )
+    curve_points = (first + last) / 2
+    across = (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
     first, last = bisect(
         lambda x, rows: reference.solve(x, case[rows]).control == control[rows], first, last, 24
     )
@@ -150,7 +149,6 @@ def _require_change_on_curve(points, claim, domain, data):
     return [reference.solve(x, case).time for x in (first, last)]
 
 
-@functools.lru_cache(maxsize=64)
 def _judge_barrier(*curve):
     for message, first, second, _ in _sides_of(*curve, (0.04, 0.01)):
         jump, closer_jump = (abs(a.time - b.time) for a, b in zip(first, second))
@@ -175,16 +173,21 @@ def _judge_barrier(*curve):
     return "the fastest time jumps across the curve, at sample points"
 
 
+KINDS = {
+    "switching": _judge_switching,
+    "dispersal": _judge_dispersal,
+    "barrier": _judge_barrier,
+}
+
+
 def _sides_of(claim, domain, data, shares):
     """Yield (text, optima on the first side, on the second, away) for points of a curve.
 
     The optima are at the distances `shares`; `away` is whether both motions leave the curve.
     """
-    reference, parameters, (variable, interval) = (
-        sampled_optimum(*data),
-        dict(data.parameters),
-        domain,
-    )
+    reference = sampled_optimum(*data)
+    parameters = dict(data.parameters)
+    variable, interval = domain
     relative_distance = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
     index = data.state.index(variable)
     function = real_function([variable, *parameters], [claim])

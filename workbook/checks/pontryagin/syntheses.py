@@ -24,10 +24,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import EQUAL_CONTROLS, Law, follow
 from workbook.checks.pontryagin.synthesis_units import control_unit, in_natural_units, time_unit
 from workbook.checks.pontryagin.target_points import family_of
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.tools.conditions import readings
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.values import left_open
@@ -86,10 +83,7 @@ def _time_optimal(claim, data, curve):
         follow(law, reference, subset)
         if reference.beside_barrier(subset.take(slice(0, 1)))[0]:
             continue
-        raise Wrong(
-            f"{reference.start_text(subset, 0)} your law gives {control} = {law(subset.x, subset.case)[0]:.4g}, and "
-            "the fastest motion from there does not begin with it"
-        )
+        raise _not_first(reference, subset, 0, control, law(subset.x, subset.case)[0])
     _judge_next_to_curves(readings_of_law, reference, control)
     _judge_change(law, reference, batch, control)
     followed = reference.cache.setdefault("followed", set())
@@ -97,6 +91,15 @@ def _time_optimal(claim, data, curve):
         follow(law, reference, batch)
         followed.add((claim, str(curve)))
     return f"from {len(batch.x)} initial states, some of them next to the switching curve, it needs the shortest time"
+
+
+def _not_first(reference, batch, k, control, value):
+    """Return the exception on a value of a law with which no fastest motion begins."""
+    text = f"{control} = {value:.4g}" if np.isfinite(value) else NO_NUMBER
+    return Wrong(
+        f"{reference.start_text(batch, k)} your law gives {text}, and the fastest motion from there "
+        "does not begin with it"
+    )
 
 
 def _judge_next_to_curves(laws, reference, control):
@@ -113,10 +116,7 @@ def _judge_next_to_curves(laws, reference, control):
     if len(differ) and reference.convex.kind == "hull":
         differ = differ[~reference.beside_barrier(batch.take(differ), far=True)]
     for k in differ[:1]:
-        raise Wrong(
-            f"{reference.start_text(batch, k)} your law gives {control} = {claimed[0][k]:.4g}, and the fastest "
-            "motion from there does not begin with it"
-        )
+        raise _not_first(reference, batch, k, control, claimed[0][k])
 
 
 def _judge_on_extremals(laws, reference, control):
@@ -131,12 +131,7 @@ def _judge_on_extremals(laws, reference, control):
     differ = np.flatnonzero(~(abs(claimed - batch.control) <= EQUAL_CONTROLS).any(axis=0))
     # The message names a state that is neither small nor large, where motions are easiest to see.
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(batch.x[k]))))[:1]:
-        value = claimed[0][k]
-        text = f"{control} = {value:.4g}" if np.isfinite(value) else NO_NUMBER
-        raise Wrong(
-            f"{reference.start_text(batch, k)} your law gives {text}, and the fastest motion from there "
-            "does not begin with it"
-        )
+        raise _not_first(reference, batch, k, control, claimed[0][k])
 
 
 def _judge_change(law, reference, batch, control):
@@ -162,10 +157,7 @@ def _judge_change(law, reference, batch, control):
     stepped = between[0] & between[1] & reference.allowed(ends[1], case)
     optima = reference.solve(ends[1][stepped], case[stepped])
     for k in np.flatnonzero(np.isfinite(optima.time)):
-        raise Wrong(
-            f"{reference.start_text(optima, k)} your law gives {control} = {law(optima.x, optima.case)[k]:.4g}, "
-            "and the fastest motion from there does not begin with it"
-        )
+        raise _not_first(reference, optima, k, control, law(optima.x, optima.case)[k])
 
 
 @judged(Expression("system.state", "parameters"))

@@ -17,10 +17,7 @@ from workbook.checks.pontryagin.synthesis_units import (
     state_units,
 )
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.sampled_optimum import (
-    sampled_optimum,
-    synthesis_data,
-)
+from workbook.checks.references.optima.sampled_optimum import sampled_optimum, synthesis_data
 from workbook.checks.references.optima.target_families import TargetFamily
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.domains import values_inside
@@ -91,7 +88,7 @@ def _arrivals(family, offset=0.002):
     """
     points = []
     for values in family.samples():
-        positions = family.arguments(values)
+        positions = family.arguments()
         rates = family.rates(positions, values)
         changes = [
             family.change(a, b, values)
@@ -128,7 +125,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     symbols, count = [variable, *target.parameters], 0
     claimed = real_function(symbols, claim)
     for values in target.samples():
-        positions = target.arguments(values, count=24)
+        positions = target.arguments(count=24)
         points, times, _ = target.switchings(positions, values)
         claimed_points = claimed(positions, *values).T
         uncertainty = left_open(
@@ -166,7 +163,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
     symbols = [variable, *target.parameters]
     claimed = real_function(symbols, claim)
     for values in target.samples():
-        positions = target.arguments(values, count=12)
+        positions = target.arguments(count=12)
         points, times, after = target.switchings(positions, values)
         step = 1e-5
         tangent = (
@@ -268,7 +265,7 @@ def _jump(value, data, ends, variable, name):
     reference = sampled_optimum(*data._replace(parameters=()))
     data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
     family = family_of(data, tuple(end.subs(fixed) for end in ends), variable)
-    positions = family.arguments((), count=361)
+    positions = family.arguments(count=361)
     rates, jump = family.rates(positions, ()), 0.0
     for a, b in zip(
         positions[np.append(rates[:-1] * rates[1:] < 0, False)],

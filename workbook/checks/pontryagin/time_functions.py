@@ -22,7 +22,7 @@ from workbook.checks.contract.tolerance import (
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.formula_changes import FormulaChanges
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import no_number_text
+from workbook.checks.tools.values import no_number_text, summed_changes
 from workbook.checks.tools.wording import NO_NUMBER, process_part_text
 
 #: Relative tolerance of an answer without decimals: the accuracy of its integration.
@@ -108,19 +108,11 @@ class InTime:
         uncertainties = []
         for part in (InTime.values, InTime.rates):
             written = part(self, times, parameters)
-            uncertainties.append(
-                sum(
-                    (
-                        np.nan_to_num(
-                            np.fmax(
-                                *(np.abs(part(side, times, parameters) - written) for side in sides)
-                            )
-                        )
-                        for sides in self.variants
-                    ),
-                    np.zeros_like(written),
-                )
+            changes = (
+                np.fmax(*(np.abs(part(side, times, parameters) - written) for side in sides))
+                for sides in self.variants
             )
+            uncertainties.append(sum(map(np.nan_to_num, changes), np.zeros_like(written)))
         return uncertainties
 
 
@@ -140,11 +132,7 @@ class Control(Claim):
         if isinstance(answer, (np.ndarray, sp.MatrixBase)):
             answer = answer.tolist()
         _refuse_sums(answer)
-        if (
-            _is_list(answer)
-            and len(answer)
-            and all(_is_list(arc) and len(arc) == 2 for arc in answer)
-        ):
+        if _is_list(answer) and answer and all(_is_list(arc) and len(arc) == 2 for arc in answer):
             constants = [symbol for symbol in symbols if symbol != time]
             return [
                 (coercion.as_expression(value, symbols), coercion.as_expression(until, constants))
@@ -159,9 +147,8 @@ class Steering:
     def __init__(self, arcs, time, parameters, with_variants=True):
         self.time, self.parameters = time, list(parameters or ())
         self._expressions = [value for value, _ in arcs]
-        self._values = [
-            real_function([time, *self.parameters], [value]) for value in self._expressions
-        ]
+        symbols = [time, *self.parameters]
+        self._values = [real_function(symbols, [value]) for value in self._expressions]
         self._ends = [
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
@@ -214,14 +201,7 @@ class Steering:
         def ends(steering):
             return np.array([until(*numbers)[0] for until in steering._ends])
 
-        written_ends = ends(self)
-        return sum(
-            (
-                np.fmax(*(abs(ends(side) - written_ends) for side in sides))
-                for sides in self.perturbed
-            ),
-            np.zeros(len(written_ends)),
-        )
+        return summed_changes(ends(self), (map(ends, sides) for sides in self.perturbed))
 
     def sections(self, values, duration):
         """Return triples (begin, end, function of an array of times) between the jumps.

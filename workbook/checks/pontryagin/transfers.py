@@ -56,7 +56,7 @@ def meeting_time(claim, problem, count):
     return "it is the time of this meeting, for several numbers"
 
 
-@judged(Expression("angle", lambda data: list(data["problem"].controls)))
+@judged(Expression("angle", "problem.controls"))
 def polar_angle_rate(claim, problem, angle):
     """Check the rate of the polar angle of a planar state, in the angle and the control.
 
@@ -77,25 +77,19 @@ def polar_angle_rate(claim, problem, angle):
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     generator = np.random.default_rng(9)
     for _ in range(20):
-        theta, u, r = (
-            generator.uniform(-math.pi, math.pi),
-            generator.uniform(*map(float, bounds)),
-            generator.uniform(0.3, 3),
-        )
+        theta = generator.uniform(-math.pi, math.pi)
+        u = generator.uniform(*map(float, bounds))
+        r = generator.uniform(0.3, 3)
         point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(point)) for f in problem.dynamics.values()]
         terms = np.array([point[x] * rates[1], -point[y] * rates[0]]) / r**2
-        yield SameValue(
-            claim,
-            terms.sum(),
-            "the rate at which the direction of the state turns",
-            {angle: sp.Float(theta, 20), control: sp.Float(u, 20)},
-            np.abs(terms).max(),
-        )
+        values = {angle: sp.Float(theta, 20), control: sp.Float(u, 20)}
+        quantity = "the rate at which the direction of the state turns"
+        yield SameValue(claim, terms.sum(), quantity, values, np.abs(terms).max())
     return "it is the rate at which the direction turns, at random states and controls"
 
 
-@judged(Expression(lambda data: list(data["problem"].dynamics)))
+@judged(Expression("problem.dynamics"))
 def least_rate(claim, quantity, problem):
     """Check the least rate of change of a quantity that an admissible control can give.
 
@@ -125,13 +119,8 @@ def least_rate(claim, quantity, problem):
         if k >= 16:
             point = {x: value * CLOSE for x, value in point.items()}
         rates = [float(slope.subs(point).subs(control, u)) for u in bounds]
-        yield SameValue(
-            claim,
-            min(rates),
-            "the least of the rates that the admissible controls give",
-            point,
-            max(map(abs, rates)),
-        )
+        quantity = "the least of the rates that the admissible controls give"
+        yield SameValue(claim, min(rates), quantity, point, max(map(abs, rates)))
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 
@@ -198,10 +187,7 @@ def reachable_in_time(answer, problem, duration, parameters):
     def points():
         for values, best in samples:
             for part in (0.3, 0.999, 1.001, 4):
-                yield {
-                    duration: sp.Rational(f"{best.duration * part:.9g}"),
-                    **values,
-                }
+                yield {duration: sp.Rational(f"{best.duration * part:.9g}"), **values}
 
     def in_time(point):
         values = {p: point[p] for p in parameters}
@@ -343,10 +329,7 @@ def isochrone_radius(claim, problem, duration, count):
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise UnsuitableData("problem: this isochrone is no circle")
         if claimed is None or not _close(
-            claimed,
-            float(np.mean(radii)),
-            claim,
-            uncertain=uncertainty_at(claim, {count: number}),
+            claimed, float(np.mean(radii)), claim, uncertain=uncertainty_at(claim, {count: number})
         ):
             reason = no_number_text(claim, {count: number})
             message = f"is {reason}" if claimed is None else f"is {claimed:.4g}"

@@ -10,7 +10,7 @@ import sympy as sp
 
 from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference
+from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference, shares_of
 from workbook.checks.references.optima.units import sample_units
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
@@ -62,10 +62,8 @@ def transversality(answer, problem, costates):
         gradient = [float(sp.diff(problem.final, y).subs(values)) for y in problem.state]
         true = np.column_stack([tangents, sign * tangents @ (gradient / costate_units)])
         claimed = _affine_rows(claims, costates, values) * [*costate_units, 1]
-        extra, missing = (
-            _rank(claimed) - _rank(true),
-            _rank(np.vstack([claimed, true])) - _rank(claimed),
-        )
+        extra = _rank(claimed) - _rank(true)
+        missing = _rank(np.vstack([claimed, true])) - _rank(claimed)
         if (missing and extra >= 0) or extra > 0:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions require what need not hold: "
@@ -90,11 +88,8 @@ def _on_target(problem):
     )
     generator, points, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
     for k in range(4 * SAMPLES):
-        if k % SAMPLES == 0:  # each symbol takes values all over its range
-            shares = {
-                s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
-                for s in symbols
-            }
+        if k % SAMPLES == 0:
+            shares = shares_of(symbols, generator)
         values = {
             s: random_value(generator, s, None, shares[s][k % SAMPLES], float(units.get(s, 1)))
             for s in symbols
@@ -137,10 +132,8 @@ def _squares(hessian, slopes, constant):
 
     Zero has to be the least or the greatest value of this expression.
     """
-    minimiser, (sizes, _) = (
-        np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0],
-        np.linalg.eigh(hessian),
-    )
+    minimiser = np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0]
+    sizes, _ = np.linalg.eigh(hessian)
     size = np.abs(hessian).max()
     if (
         (sizes.min() < -1e-9 * size and sizes.max() > 1e-9 * size)

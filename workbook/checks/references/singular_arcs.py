@@ -189,17 +189,15 @@ class SingularArcs:
             scaled = {s: number / float(self.units.get(s, 1)) for s, number in values.items()}
             return self._scaled.multipliers_exist(scaled, share)
         unknown_costates = [s for s in self._unknown if s in self.costates]
-        for bound_values in itertools.product(
-            *(
-                [float(b.subs(values)) for b in self.problem.controls[u]]
-                for u in self.other_controls
-            )
-        ):
+        at = np.flatnonzero(self._costate)
+        bounds = (self.problem.controls[u] for u in self.other_controls)
+        ends = ([float(b.subs(values)) for b in pair] for pair in bounds)
+        for bound_values in itertools.product(*ends):
             point = [0.0 if s in unknown_costates else values[s] for s in self._unknown]
             fixed_values = [*(values[p] for p in self.parameters), *bound_values]
             constant = self._values(*point, *fixed_values)
             slopes = self._slopes(*point, *fixed_values).reshape(len(constant), -1)
-            matrix = slopes[:, [self._unknown.index(s) for s in unknown_costates]]
+            matrix = slopes[:, at]
             # An equation between states alone, or nearly, is as large as it may become next to the
             # point.
             general = self._slopes(
@@ -209,74 +207,22 @@ class SingularArcs:
             if not np.isfinite([*size, *constant]).all():
                 return None
             matrix, constant = matrix / size[:, None], constant / size
-            if self._scalable:
-                if self._solvable_with_unit_costates(
-                    matrix, point, fixed_values, unknown_costates, share
-                ):
-                    return True
-                continue
-            costates = _least_squares(matrix, -constant)
-            residual = matrix @ costates + constant
-            if np.all(
-                np.abs(residual) <= share * (1 + np.abs(matrix) @ np.abs(costates))
-            ) and self._solvable_with_control(
-                matrix, constant, point, fixed_values, unknown_costates, share
-            ):
+
+            def last(costates, point=point, fixed_values=fixed_values):
+                full = np.array(point, dtype=float)
+                full[at] = costates
+                return self._last(*full, *fixed_values)
+
+            solvable = _solvable_with_unit_costates if self._scalable else _solvable_with_control
+            if solvable(matrix, constant, last, share):
                 return True
         return False
-
-    def _solvable_with_unit_costates(self, matrix, point, fixed_values, unknown_costates, share):
-        """Return whether costates of length 1 solve the equations and a control keeps S at zero."""
-        costates = np.linalg.svd(matrix)[2][-1]
-        full = np.array(point, dtype=float)
-        full[[self._unknown.index(s) for s in unknown_costates]] = costates
-        remainder, factor = self._last(*full, *fixed_values)
-        return bool(
-            np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
-            and (abs(factor) > share * (1 + abs(remainder)) or abs(remainder) <= share)
-        )
-
-    def _solvable_with_control(
-        self, matrix, constant, point, fixed_values, unknown_costates, share
-    ):
-        """Return whether for some costates that satisfy the equations a control keeps S at zero."""
-        at = [self._unknown.index(s) for s in unknown_costates]
-
-        def last(costates):
-            full = np.array(point, dtype=float)
-            full[at] = costates
-            return self._last(*full, *fixed_values)
-
-        zero = last(np.zeros(len(unknown_costates)))
-        slopes = np.array([last(row) - zero for row in np.eye(len(unknown_costates))]).reshape(
-            len(unknown_costates), 2
-        )
-        solution = _least_squares(matrix, -constant)
-        _, sizes, basis = np.linalg.svd(matrix)
-        free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
-        (remainder, factor), changes = zero + solution @ slopes, free @ slopes
-        # Each of the two has units of its own: it is compared with its terms, for costates that
-        # contribute alike to the equations, or of size one where all of them are zero.
-        columns = _column_sizes(matrix)
-        alike = np.linalg.norm(solution * columns) / columns
-        costate_sizes = alike if np.abs(constant).max() > share else np.ones(len(alike))
-        terms = np.abs(zero) + costate_sizes @ np.abs(slopes)
-        changes_with_costates = np.abs(changes).max(axis=0, initial=0) > share * np.abs(slopes).max(
-            axis=0, initial=0
-        )
-        if abs(factor) > share * terms[1] or changes_with_costates[1]:
-            return True
-        return abs(remainder) <= share * terms[0] or changes_with_costates[0]
 
     def _derivatives(self, first):
         derivatives = [first]
         for _ in range(2 * len(self.state)):
-            following = sp.expand(
-                sum(
-                    (sp.diff(derivatives[-1], s) * rate for s, rate in self._flow.items()),
-                    sp.S.Zero,
-                )
-            )
+            terms = (sp.diff(derivatives[-1], s) * rate for s, rate in self._flow.items())
+            following = sp.expand(sum(terms, sp.S.Zero))
             entered = sp.simplify(sp.diff(following, self.control).subs(self._known_costates)) != 0
             if entered and len(derivatives) % 2 == 0:
                 return derivatives, following.subs(self._known_costates)
@@ -291,10 +237,8 @@ class SingularArcs:
             slopes = self._slopes(*point, *fixed_values).reshape(len(residual), -1)
             if self._scalable:
                 costates = np.where(self._costate, point, 0.0)
-                residual, slopes = (
-                    np.append(residual, costates @ costates - 1),
-                    np.vstack([slopes, 2 * costates]),
-                )
+                residual = np.append(residual, costates @ costates - 1)
+                slopes = np.vstack([slopes, 2 * costates])
             if not (np.isfinite(residual).all() and np.isfinite(slopes).all()):
                 return None
             step = np.linalg.lstsq(slopes, residual, rcond=1e-12)[0]
@@ -315,6 +259,43 @@ class SingularArcs:
             if (s.is_positive and value <= 1e-9) or (s.is_negative and value >= -1e-9):
                 return False
         return bool(np.abs(point).max(initial=0) < 1e3)
+
+
+def _solvable_with_unit_costates(matrix, _, last, share):
+    """Return whether costates of length 1 solve the equations and a control keeps S at zero.
+
+    `last(costates)` are the two parts of the derivative of order 2q.
+    """
+    costates = np.linalg.svd(matrix)[2][-1]
+    remainder, factor = last(costates)
+    return bool(
+        np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
+        and (abs(factor) > share * (1 + abs(remainder)) or abs(remainder) <= share)
+    )
+
+
+def _solvable_with_control(matrix, constant, last, share):
+    """Return whether for some costates that satisfy the equations a control keeps S at zero."""
+    solution, count = _least_squares(matrix, -constant), matrix.shape[1]
+    residual = np.abs(matrix @ solution + constant)
+    if not np.all(residual <= share * (1 + np.abs(matrix) @ np.abs(solution))):
+        return False
+    zero = last(np.zeros(count))
+    slopes = np.array([last(row) - zero for row in np.eye(count)]).reshape(count, 2)
+    _, sizes, basis = np.linalg.svd(matrix)
+    free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
+    remainder, factor = zero + solution @ slopes
+    # Each of the two has units of its own: it is compared with its terms, for costates that
+    # contribute alike to the equations, or of size one where all of them are zero.
+    columns = _column_sizes(matrix)
+    alike = np.linalg.norm(solution * columns) / columns
+    costate_sizes = alike if np.abs(constant).max() > share else np.ones(len(alike))
+    terms = np.abs(zero) + costate_sizes @ np.abs(slopes)
+    changes, largest = (np.abs(part).max(axis=0, initial=0) for part in (free @ slopes, slopes))
+    changes_with_costates = changes > share * largest
+    if abs(factor) > share * terms[1] or changes_with_costates[1]:
+        return True
+    return abs(remainder) <= share * terms[0] or changes_with_costates[0]
 
 
 def _least_squares(matrix, right):

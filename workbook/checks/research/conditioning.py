@@ -77,9 +77,7 @@ def nearly_dependent_condition_number(claim, delta):
     'wrong'
     """
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
-        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
-        values = np.linalg.svd(columns, compute_uv=False)
-        yield SameValue(claim, values[0] / values[-1], "the condition number", {delta: size})
+        yield SameValue(claim, _condition_number(size), "the condition number", {delta: size})
     return "it is the ratio of the singular values, for small and large errors"
 
 
@@ -93,11 +91,14 @@ def dependence_hiding_error(claim, M):
         size = value_at(claim, {M: limit}, "the error")
         if size <= 0:
             raise Wrong(f"for M = {limit:g} your error {size:.4g} is not positive")
-        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
-        values = np.linalg.svd(columns, compute_uv=False)
-        if not abs(values[0] / values[-1] - limit) <= 1e-6 * limit:
-            raise Wrong(
-                f"for M = {limit:g} your error gives the condition number "
-                f"{values[0] / values[-1]:.6g}"
-            )
+        number = _condition_number(size)
+        if not abs(number - limit) <= 1e-6 * limit:
+            raise Wrong(f"for M = {limit:g} your error gives the condition number {number:.6g}")
     return "with this error the condition number is just M, for small and large M"
+
+
+def _condition_number(size):
+    """Return the condition number of two columns of length 1, along h and h + size g."""
+    columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
+    values = np.linalg.svd(columns, compute_uv=False)
+    return values[0] / values[-1]

@@ -16,12 +16,7 @@ from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, exactly
-from workbook.checks.tools.samples import (
-    allowed_values,
-    conjunction,
-    in_every_case,
-    random_values,
-)
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case, random_values
 from workbook.checks.tools.wording import values_text
 
 #: By how much of its size a side may seem violated at a corner that lies on it.
@@ -136,13 +131,8 @@ def _same_support(claims, sides, bounds, directions):
         corners = _corners(sides, bounds, values)
         reach = np.array(directions.tolist(), dtype=float) @ corners.T
         for k, claim in enumerate(claims):
-            yield SameValue(
-                claim,
-                reach[k].max(),
-                f"how far the polygon reaches in direction {k + 1}",
-                values,
-                np.abs(corners).max(),
-            )
+            quantity = f"how far the polygon reaches in direction {k + 1}"
+            yield SameValue(claim, reach[k].max(), quantity, values, np.abs(corners).max())
 
 
 def _common_point_agreement(answer, sides, bounds):

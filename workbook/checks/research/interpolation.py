@@ -4,6 +4,7 @@ The polynomial of the table is found here by its powers, from linear equations, 
 fundamental polynomials. Bounds of their errors are maxima in boxes.
 """
 
+import functools
 import itertools
 import math
 
@@ -27,11 +28,9 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
     It is an expression in the variables of the nodes. In the quantity `level` stands for the
     polynomial and `slope` for its derivative by the first variable.
     """
-    powers, places, names = (
-        _powers(motion, nodes),
-        places or {},
-        [symbol for symbol in (level, slope) if symbol],
-    )
+    powers = _powers(motion, nodes)
+    places = places or {}
+    names = [symbol for symbol in (level, slope) if symbol]
     between = sp.And(
         *(sp.And(symbol >= min(axis), symbol <= max(axis)) for symbol, axis in nodes.items())
     )
@@ -41,13 +40,10 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
             zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1)))
         )
         true = complex(sp.sympify(quantity).subs(interpolant_values | values).evalf())
-        yield SameValue(
-            claim,
-            true.real if abs(true.imag) < 1e-12 else math.nan,
-            "the quantity, computed from the polynomial through the table,",
-            values,
-            abs(true) + max(map(abs, interpolant_values.values())),
-        )
+        true, size = (true.real if abs(true.imag) < 1e-12 else math.nan), abs(true)
+        size += max(map(abs, interpolant_values.values()))
+        name = "the quantity, computed from the polynomial through the table,"
+        yield SameValue(claim, true, name, values, size)
     return f"the polynomial through the table gives the same at {SAMPLES} points"
 
 
@@ -95,42 +91,23 @@ def _greatest(function, sides):
 
 def _powers(motion, nodes):
     """Return the coefficients of the polynomial in powers of all variables."""
-    grid = np.meshgrid(*([float(node) for node in axis] for axis in nodes.values()), indexing="ij")
-    rows = np.stack([axis.ravel() for axis in grid], axis=1)
-    exact = [sp.sympify(motion).subs(dict(zip(nodes, _exactly(nodes, row)))) for row in rows]
-    coefficients = np.array([float(value) for value in exact]).reshape(grid[0].shape)
+    rows = itertools.product(*nodes.values())
+    values = [float(sp.sympify(motion).subs(dict(zip(nodes, row)))) for row in rows]
+    coefficients = np.reshape(values, [*map(len, nodes.values())])
     for k, axis in enumerate(nodes.values()):
         vandermonde = np.vander([float(node) for node in axis], increasing=True)
-        coefficients = np.moveaxis(
-            np.linalg.solve(
-                vandermonde, np.moveaxis(coefficients, k, 0).reshape(len(axis), -1)
-            ).reshape(len(axis), *np.delete(coefficients.shape, k)),
-            0,
-            k,
-        )
+        solve = functools.partial(np.linalg.solve, vandermonde)
+        coefficients = np.apply_along_axis(solve, k, coefficients)
     return coefficients
 
 
-def _exactly(nodes, row):
-    """Return the exact nodes closest to a row of decimals."""
-    return [
-        min(axis, key=lambda node: abs(float(node) - point))
-        for axis, point in zip(nodes.values(), row)
-    ]
-
-
-def _polynomial(powers, nodes, values, order):
+def _polynomial(coefficients, nodes, values, order):
     """Return the value of the polynomial, or of its derivative by the first variable."""
-    coefficients = powers
     for k, symbol in reversed(list(enumerate(nodes))):
-        row = np.array([float(values[symbol]) ** n for n in range(coefficients.shape[-1])])
+        powers = np.arange(coefficients.shape[-1])
+        row = float(values[symbol]) ** powers
         if k == 0 and order:
-            row = np.array(
-                [
-                    n * float(values[symbol]) ** (n - 1) if n else 0.0
-                    for n in range(coefficients.shape[-1])
-                ]
-            )
+            row = np.append(0, powers[1:] * row[:-1])
         coefficients = coefficients @ row
     return float(coefficients)
 

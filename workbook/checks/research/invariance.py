@@ -18,10 +18,8 @@ def invariant_weights(claims, signal, nuisance, functional):
     unbiased whatever the coefficients of signal and nuisance are. `functional`: that number for
     each function of the signal.
     """
-    claim, symbols = (
-        sp.Matrix(list(claims)),
-        sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str),
-    )
+    claim = sp.Matrix(list(claims))
+    symbols = sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str)
     for values in in_every_case(random_values(symbols, 82), claim):
         psi, theta = (
             np.array(sp.Matrix(rows).subs(values).evalf(), dtype=float).reshape(
@@ -32,10 +30,8 @@ def invariant_weights(claims, signal, nuisance, functional):
         functional_values = np.array(
             [float(sp.sympify(number).subs(values)) for number in functional]
         )
-        conditions, right = (
-            np.vstack([psi, theta]),
-            np.append(functional_values, np.zeros(len(theta))),
-        )
+        conditions = np.vstack([psi, theta])
+        right = np.append(functional_values, np.zeros(len(theta)))
         true = np.linalg.pinv(conditions) @ right
 
         def message(claimed, i, j):

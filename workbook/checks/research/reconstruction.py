@@ -54,26 +54,17 @@ def transition_polynomial(claim, transition, lam, kappa):
             "for"
         )
     (symbol,), n, random = lam.free_symbols, transition.rows, np.random.default_rng(61)
-    expression_text, power = (
-        ("det(lambda I - A)", 0)
-        if lam == symbol
-        else (f"det(lambda I - A)/lambda^{n // 2}", n // 2)
-    )
+    power = 0 if lam == symbol else n // 2
+    expression_text = "det(lambda I - A)" + (f"/lambda^{power}" if power else "")
     for stiffness in log_spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
         point = complex(lam.subs(symbol, at))
         true = (
             np.linalg.det(point * np.eye(n) - _matrix(transition, kappa, stiffness)) / point**power
         )
-        yield SameValue(
-            claim,
-            true.real,
-            expression_text
-            if power == 0
-            else f"{expression_text} at lambda = {number_text(point)}",
-            {symbol: at, kappa: stiffness},
-            abs(true) + 1,
-        )
+        where = f" at lambda = {number_text(point)}" if power else ""
+        values, size = {symbol: at, kappa: stiffness}, abs(true) + 1
+        yield SameValue(claim, true.real, expression_text + where, values, size)
     return f"it is {expression_text} for random {symbol} and {kappa}"
 
 
@@ -118,13 +109,9 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
     """
     for values, t, h in _random_samples(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
-        yield SameValue(
-            claim,
-            _middle(t, *states),
-            "the acceleration at the middle sample",
-            values,
-            np.abs(h).max() / t[1] ** 2,
-        )
+        size = np.abs(h).max() / t[1] ** 2
+        quantity = "the acceleration at the middle sample"
+        yield SameValue(claim, _middle(t, *states), quantity, values, size)
     motion_text = (
         "easiest motion through the samples" if rho is None else "motion with the least cost"
     )
@@ -145,9 +132,7 @@ def spline_positions(claims, times, samples, rho, M):
 def weight_for_bound(claim, times, samples, rho, D):
     """Check the weight M for which the motion of least cost has the greatest acceleration D."""
     for values, t, h in _bounded(times, samples, rho, D):
-        weight = value_at(claim, values, "M")
-        if weight <= 0:
-            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+        weight = _weight(claim, values)
         wrong = Wrong(
             f"for {rounded_text(values)} the greatest acceleration of the motion of least cost "
             f"with your M = {weight:.4g} is not D"
@@ -179,14 +164,8 @@ def spline_misfit(claim, times, samples, rho, D):
             middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        yield SameValue(
-            claim,
-            values[rho] * np.sum((states[0] - h) ** 2),
-            "the misfit",
-            values,
-            values[rho] * np.sum(h**2),
-            1e-8,
-        )
+        misfit, size = (values[rho] * np.sum(part**2) for part in (states[0] - h, h))
+        yield SameValue(claim, misfit, "the misfit", values, size, 1e-8)
     return (
         "it is the misfit of the motion whose weight meets the bound, for random samples and bounds"
     )
@@ -207,17 +186,10 @@ def bounded_misfit(claim, times, samples, rho, D):
         rows = np.column_stack(
             [np.ones(t.size), t - t[0], (reach**2 - np.clip(reach - step, 0, None) ** 2) / 2]
         )
-        free = np.array([np.inf, np.inf])
-        limits = np.append(free, np.full(step.size, values[D]))
+        limits = np.append([np.inf, np.inf], np.full(step.size, values[D]))
         solution = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        yield SameValue(
-            claim,
-            2 * values[rho] * solution.cost,
-            "the least misfit",
-            values,
-            values[rho] * np.sum(h**2),
-            1e-7,
-        )
+        least, size = 2 * values[rho] * solution.cost, values[rho] * np.sum(h**2)
+        yield SameValue(claim, least, "the least misfit", values, size, 1e-7)
     return "no motion within the bound fits better, for random samples and bounds"
 
 
@@ -280,9 +252,7 @@ def weight_of_harmonic(claim, amplitude, omega, rho, D):
     """
     for values in in_every_case(random_values([amplitude, omega, rho, D], SEED), claim):
         values[D] = values[amplitude] * values[omega] ** 2 * 0.8 * values[D] / (1 + values[D])
-        weight = value_at(claim, values, "M")
-        if weight <= 0:
-            raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+        weight = _weight(claim, values)
         # x = size cos(omega t) solves the equation
         size = values[rho] * values[amplitude] / (weight * values[omega] ** 4 + values[rho])
         if not abs(size * values[omega] ** 2 - values[D]) <= 1e-9 * values[D]:
@@ -330,21 +300,23 @@ def _middle(t, x, y):
     return (6 * (x[0] - x[1]) / tau + 2 * y[0] + 4 * y[1]) / tau
 
 
-def _symbols(times, samples, *further_symbols):
-    symbols = set().union(*(sp.sympify(part).free_symbols for part in [*times, *samples]))
-    return sorted(symbols, key=str) + list(further_symbols)
+def _weight(claim, values):
+    """Return the number of a claimed weight M, or raise `Wrong` if it is not positive."""
+    weight = value_at(claim, values, "M")
+    if weight <= 0:
+        raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
+    return weight
 
 
 def _random_samples(times, samples, *further_symbols):
     """Yield random positive values of all symbols, with times and samples as arrays."""
-    for values in random_values(_symbols(times, samples, *further_symbols), SEED):
-        yield (
-            values,
-            *(
-                np.array([float(sp.sympify(part).subs(values)) for part in parts])
-                for parts in (times, samples)
-            ),
+    symbols = sorted(sp.Tuple(*times, *samples).free_symbols, key=str)
+    for values in random_values([*symbols, *further_symbols], SEED):
+        t, h = (
+            np.array([float(sp.sympify(part).subs(values)) for part in parts])
+            for parts in (times, samples)
         )
+        yield values, t, h
 
 
 def _bounded(times, samples, rho, D):

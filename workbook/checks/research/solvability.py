@@ -38,14 +38,8 @@ def bias_of_estimate(claim, system, unknowns, estimated, neglected):
     for values in in_every_case(random_values([*_symbols(system.A), neglected], 73), claim):
         rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3 * MOMENTS))
         bias = np.linalg.lstsq(rows[:, remaining], rows[:, k] * values[neglected], rcond=None)[0]
-        yield SameValue(
-            claim,
-            bias[remaining.index(j)],
-            f"the error of the estimate of {estimated}",
-            values,
-            abs(values[neglected]),
-            1e-7,
-        )
+        quantity, size = f"the error of the estimate of {estimated}", abs(values[neglected])
+        yield SameValue(claim, bias[remaining.index(j)], quantity, values, size, 1e-7)
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
@@ -61,18 +55,9 @@ def worst_case_error(claim, system, unknowns, estimated, tau, delta):
         # between an eighth and seven eighths of half a period
         values[tau] *= 1.1 / fastest
         rows = _rows(system.A, system.H, values, values[tau] * np.arange(3))
-        corners = (
-            np.linalg.solve(rows, np.array(signs) * values[delta])[j]
-            for signs in itertools.product((-1, 1), repeat=3)
-        )
-        yield SameValue(
-            claim,
-            max(abs(error) for error in corners),
-            f"the greatest error of {estimated}",
-            values,
-            0,
-            1e-7,
-        )
+        corners = values[delta] * np.array([*itertools.product((-1, 1), repeat=3)]).T
+        true = abs(np.linalg.solve(rows, corners)[j]).max()
+        yield SameValue(claim, true, f"the greatest error of {estimated}", values, 0, 1e-7)
     return "no errors up to delta give a greater error, and some give this one, for random values of the symbols"
 
 
@@ -146,21 +131,18 @@ def range_error(claim, relative, t, T, turn, delta):
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn, delta]
     random = np.random.default_rng(77)
     for values in in_every_case(random_values(symbols, 78), claim):
-        values |= {
-            s: values[s] * float(random.choice((-1, 1))) for s in symbols if s not in (t, T, delta)
-        }
+        signed = (s for s in symbols if s not in (t, T, delta))
+        values |= {s: values[s] * float(random.choice((-1, 1))) for s in signed}
         values[t] += values[T]
         before = np.array([float(part.subs(values)) for part in relative])
         after = before - np.array([values[s] for s in turn]) * (values[t] - values[T])
         slope = (after[0] * before[1] - after[1] * before[0]) / (after @ after)
         claimed = value_at(claim, values, "the error")
         if claimed < 0:
-            raise Wrong(
-                f"for {rounded_text(values)} your expression is negative; its size was asked for"
-            )
-        yield SameValue(
-            claim, values[delta] / abs(slope), "the relative error of the range", values
-        )
+            where = rounded_text(values)
+            raise Wrong(f"for {where} your expression is negative; its size was asked for")
+        true = values[delta] / abs(slope)
+        yield SameValue(claim, true, "the relative error of the range", values)
     return (
         "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
     )
@@ -176,12 +158,7 @@ def range_modes(claims, matrix, sight, initial, rate, t):
         times, direction = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
         for time, transition in zip(times, _transitions(matrix, values, times)):
             true = direction @ (transition @ start)[: len(sight)]
-            claimed = (
-                coefficients[0]
-                + coefficients[1] * time
-                + coefficients[2] * math.cos(w * time)
-                + coefficients[3] * math.sin(w * time)
-            )
+            claimed = np.dot(coefficients, [1, time, math.cos(w * time), math.sin(w * time)])
             if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} your four terms sum up to {claimed:.5g} at {t} = "
@@ -198,10 +175,8 @@ def observability_ranks(claims, matrix, sights):
         claim = coercion.as_integer(claim)
         output = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))]])
         rows = _rows(matrix, output, values, np.linspace(0, 9, 5 * MOMENTS))
-        values_of = np.linalg.svd(
-            rows / np.maximum(np.linalg.norm(rows, axis=0), 1e-300), compute_uv=False
-        )
-        if claim != int(np.sum(values_of > 1e-9 * values_of[0])):
+        rows /= np.maximum(np.linalg.norm(rows, axis=0), 1e-300)
+        if claim != np.linalg.matrix_rank(rows, rtol=1e-9):
             raise Wrong(
                 f"direction number {number}: the rank of the stacked matrix of many ranges is not "
                 f"{claim}"
@@ -254,11 +229,8 @@ def _unobservable_along(matrix, *sights):
             outputs.extract(list(chosen), list(range(outputs.cols))).det()
             for chosen in itertools.combinations(range(outputs.rows), outputs.cols)
         ]
-        conditions.append(
-            sp.And(
-                *(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())
-            )
-        )
+        parts = (part for minor in minors for part in sp.expand(minor).as_real_imag())
+        conditions.append(sp.And(*(sp.Eq(part, 0) for part in parts)))
     return sp.Or(*conditions)
 
 
@@ -272,27 +244,19 @@ def _pairs_of_directions(count=48):
 
     def unit(a, b):
         """Stereographic coordinates."""
-        return [
-            2 * a / (1 + a * a + b * b),
-            2 * b / (1 + a * a + b * b),
-            (1 - a * a - b * b) / (1 + a * a + b * b),
-        ]
+        size = 1 + a * a + b * b
+        return [2 * a / size, 2 * b / size, (2 - size) / size]
 
     def random_fraction():
-        return sp.Rational(
-            int(random.choice((-1, 1)) * random.integers(1, 12)), int(random.integers(13, 17))
-        )
+        numerator = random.choice((-1, 1)) * random.integers(1, 12)
+        return sp.Rational(int(numerator), int(random.integers(13, 17)))
 
     for number in range(count):
         a, b, factor, k = random_fraction(), random_fraction(), random_fraction(), number // 8 % 3
         first = unit(a, b)
         mirror = [-n if i == k else n for i, n in enumerate(first)]
         # orthonormal with `first`
-        perpendicular = [
-            1 - 2 * a * a / (1 + a * a + b * b),
-            -2 * a * b / (1 + a * a + b * b),
-            -2 * a / (1 + a * a + b * b),
-        ]
+        perpendicular = [1 - a * first[0], -b * first[0], -first[0]]
         second = [
             first,
             [-n for n in first],

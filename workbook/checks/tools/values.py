@@ -179,13 +179,7 @@ def uncertainties_at(claim, points):
     unperturbed, *sides = real_function(
         symbols, [claim, *(part for pair in variants for (part,) in pair)]
     )(*numbers)
-    return sum(
-        (
-            np.fmax(abs(lower - unperturbed), abs(upper - unperturbed))
-            for lower, upper in zip(sides[::2], sides[1::2])
-        ),
-        np.zeros(len(points)),
-    )
+    return summed_changes(unperturbed, zip(sides[::2], sides[1::2]))
 
 
 def entry_uncertainties(claim, values):
@@ -228,7 +222,13 @@ def left_open(claims, quantity):
     if followed is None:
         raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
     value = quantity(claims) if followed else 0.0
-    return sum((np.fmax(*(abs(quantity(side) - value) for side in pair)) for pair in followed), 0.0)
+    return summed_changes(value, ((quantity(side) for side in pair) for pair in followed))
+
+
+def summed_changes(value, pairs):
+    """Return the sum, over pairs, of the larger distance of the two from a value."""
+    changes = (np.fmax(*(abs(side - value) for side in pair)) for pair in pairs)
+    return sum(changes, np.zeros(np.shape(value)))
 
 
 def perturbed_arrays(parts, left_open):

@@ -29,12 +29,8 @@ class ConvexTarget:
     def points(cls, points):
         """Return a target of a single point for each case, given by numbers."""
         target = cls.__new__(cls)
-        target.g, target.point, target.kind, target._corners = (
-            None,
-            True,
-            "hull",
-            np.asarray(points, dtype=float)[:, None, :],
-        )
+        target.g, target.point, target.kind = None, True, "hull"
+        target._corners = np.asarray(points, dtype=float)[:, None, :]
         return target
 
     def corner(self, case):
@@ -111,9 +107,9 @@ class ConvexTarget:
             return (p * self._centre[case]).sum(axis=1) + np.sqrt(
                 2 * self._level[case] * quadratic_form
             )
-        curved_component, curvature = (
-            p @ self._curved_direction,
-            np.einsum("i,nij,j->n", self._curved_direction, self._H[case], self._curved_direction),
+        curved_component = p @ self._curved_direction
+        curvature = np.einsum(
+            "i,nij,j->n", self._curved_direction, self._H[case], self._curved_direction
         )
         bend = self._c[case] @ self._curved_direction
         if self.kind == "strip":

@@ -111,14 +111,8 @@ class DirectGuesses(DirectProgramme):
                 merged[-1][2] = end
             else:
                 merged.append([kind, begin, end])
-        borders = [
-            0,
-            *(
-                (previous[2] + following[1]) / 2
-                for previous, following in itertools.pairwise(merged)
-            ),
-            pieces,
-        ]
+        inner = ((before[2] + after[1]) / 2 for before, after in itertools.pairwise(merged))
+        borders = [0, *inner, pieces]
         # The lengths alone may be too few to meet the target.
         arcs_found = [
             (kind if len(merged) - 1 + free >= len(self._terminal) else None, FINE[0])
@@ -126,11 +120,8 @@ class DirectGuesses(DirectProgramme):
         ]
         steps = np.repeat(np.diff(borders), FINE[0]) / FINE[0]
         piece_starts = np.append(0, np.cumsum(steps))[:-1]
-        moments = (
-            (piece_starts[:, None] + steps[:, None] * radau(FINE[1])[0][1:]).ravel()
-            * duration
-            / pieces
-        )
+        shares = (piece_starts[:, None] + steps[:, None] * radau(FINE[1])[0][1:]).ravel()
+        moments = shares * duration / pieces
         states = np.array([np.interp(moments, times, row) for row in states])
         return arcs_found, self._packed(
             unknown[: len(self._state)],
@@ -204,13 +195,9 @@ class DirectGuesses(DirectProgramme):
         There the cost hardly depends on where such an arc begins, unless its control is a single number.
         """
         (low, high), count = self.bounds(case), FINE[0] * FINE[1]
-        if (
-            self._curved
-            or self._absolute
-            or not low < 0 < high
-            or not np.isfinite(high - low)
-            or len(arcs) == 1
-        ):
+        if self._curved or self._absolute or len(arcs) == 1:
+            return None
+        if not (low < 0 < high and np.isfinite(high - low)):
             return None
         *_, controls, _ = self._unpacked(arcs, unknown)
         middles = [

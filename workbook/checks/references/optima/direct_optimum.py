@@ -79,12 +79,8 @@ class _Search(DirectGuesses):
     def best(self, case):
         """Return the best process for values of the parameters."""
         free = self._duration is None or isinstance(self._duration, tuple)
-        pair = (
-            self._duration
-            if isinstance(self._duration, tuple)
-            else (self._duration, self._duration)
-        )
-        low, high = (self._value(d, case) for d in pair)
+        ends = self._duration if isinstance(self._duration, tuple) else (self._duration,)
+        low, *_, high = (self._value(d, case) for d in (*ends, ends[-1]))
         span = (SHORTEST if low is None else low, LONGEST if high is None else high)
         is_linear = all(
             not sp.diff(f, v).free_symbols & {*self._state, *self._controls}
@@ -177,12 +173,5 @@ class _Search(DirectGuesses):
     def _optimum(self, case, cost, arcs, unknown):
         times, states, controls, lengths = self._unpacked(arcs, unknown)
         ends = np.cumsum(lengths)
-        return Optimum(
-            self,
-            case,
-            self._sign * cost,
-            times,
-            states,
-            controls,
-            list(zip(kinds_of(arcs), ends - lengths, ends)),
-        )
+        found = list(zip(kinds_of(arcs), ends - lengths, ends))
+        return Optimum(self, case, self._sign * cost, times, states, controls, found)

@@ -9,6 +9,18 @@ from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.tools.domains import sample_cases
 
+#: IPOPT's options in all searches; a search that fails is answered by what comes next.
+IPOPT = {
+    "ipopt.print_level": 0,
+    "print_time": False,
+    "ipopt.sb": "yes",
+    "ipopt.bound_relax_factor": 0.0,
+    "ipopt.acceptable_iter": 0,
+    "show_eval_warnings": False,
+    "error_on_fail": False,
+    "calc_lam_p": False,
+}
+
 
 def statement(problem):
     """Return the statement of a `pontryagin.Problem` as a tuple, by which a search is kept."""
@@ -30,26 +42,14 @@ class DirectProblem:
     cases = staticmethod(sample_cases)
 
     def __init__(self, stated, parameters):
-        (
-            dynamics,
-            controls,
-            initial,
-            terminal,
-            self._running,
-            self._final,
-            self._duration,
-            maximise,
-            returns,
-        ) = stated
+        dynamics, controls, initial, terminal, *cost, maximise, returns = stated
+        self._running, self._final, self._duration = cost
         self._state, self._field = zip(*dynamics)
         self._controls, bounds = zip(*controls)
         self._bounds = tuple(zip(*bounds))
         self._initial, self._terminal = [value for _, value in initial], terminal
-        self._sign, self._returns, self._parameters = (
-            (-1 if maximise else 1),
-            returns,
-            list(parameters),
-        )
+        self._sign, self._returns = -1 if maximise else 1, returns
+        self._parameters = list(parameters)
         ends = [*self._state, *parameters]
         self.rates = sp.lambdify(
             [*self._state, *self._controls, *parameters], [*self._field, self._running], "math"
@@ -81,11 +81,9 @@ class DirectProblem:
         return (low[0], high[0]) if len(low) == 1 else (np.array(low), np.array(high))
 
     def _value(self, expression, case):
-        return (
-            None
-            if expression is None
-            else float(sp.sympify(expression).subs(dict(zip(self._parameters, case))))
-        )
+        if expression is None:
+            return None
+        return float(sp.sympify(expression).subs(dict(zip(self._parameters, case))))
 
     def _start(self, case, free):
         return np.array([free if v is None else self._value(v, case) for v in self._initial])
@@ -100,12 +98,8 @@ class DirectProblem:
         low, high = self.bounds(case)
         sides = set()
         for u in (low, (low + high) / 2, high):
-            y = rk4(
-                lambda _, z: np.array(self.rates(*z, u, *case)[:-1]),
-                0,
-                self._start(case, 0.1),
-                1e-2,
-            )
+            start = self._start(case, 0.1)
+            y = rk4(lambda _, z: np.array(self.rates(*z, u, *case)[:-1]), 0, start, 1e-2)
             sides.add(float(np.sign(self.gap(*y, *case)[0])))
         return sorted(sides - {0.0})
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from trajlib._lazy import casadi as ca
-from workbook.checks.references.optima.direct_problem import DirectProblem
+from workbook.checks.references.optima.direct_problem import IPOPT, DirectProblem
 from workbook.checks.references.optima.radau import radau
 from workbook.checks.references.optima.runge_kutta import rk4
 
@@ -12,20 +12,11 @@ COARSE, FINE = (48, 3), (4, 6)
 #: IPOPT's first barriers, each with the most steps: from the higher one it looks farther, from the
 #: lower one it converges more often.
 BARRIERS = {1e-4: 150, 1e-1: 50}
-SOLVER = {
-    "ipopt.print_level": 0,
-    "print_time": False,
-    "ipopt.sb": "yes",
+SOLVER = IPOPT | {
     "ipopt.tol": 1e-11,
-    "ipopt.bound_relax_factor": 0.0,
-    "ipopt.acceptable_iter": 0,
     "ipopt.compl_inf_tol": 1e-11,
     "ipopt.constr_viol_tol": 1e-11,
     "ipopt.dual_inf_tol": 1e-8,
-    "show_eval_warnings": False,
-    # of which it would complain where a search fails
-    "error_on_fail": False,
-    "calc_lam_p": False,
 }
 #: CasADi's options for derivatives that are known, and what it calls them itself.
 DERIVATIVES = {"grad_f": "nlp_grad_f", "jac_g": "nlp_jac_g", "hess_lag": "nlp_hess_l"}
@@ -145,10 +136,8 @@ class DirectProgramme(DirectProblem):
         ]
         if self._returns:
             positive.append(ca.vec(side * gap(y[:, :-1], p)))
-        controls, moduli = (
-            [u[j::degree].T for j in range(degree)],
-            [absolutes[:, j::degree] for j in range(degree)],
-        )
+        controls = [u[j::degree].T for j in range(degree)]
+        moduli = [absolutes[:, j::degree] for j in range(degree)]
         cost = 0
         inner = [int(k) for k in np.flatnonzero(free[::degree])] if degree == FINE[1] else []
         for weight, shares, mix in between:

@@ -142,13 +142,8 @@ class FastestTimes(SeparatingLines):
         tried count, too.
         """
         n, p = len(x), directions(self._angles)
-        low, high, theta, second, todo = (
-            np.full(n, np.inf),
-            np.full(n, np.inf),
-            np.zeros(n),
-            np.zeros(n),
-            np.arange(n),
-        )
+        low, high = np.full((2, n), np.inf)
+        theta, second, todo = np.zeros(n), np.zeros(n), np.arange(n)
         support, outward, state = self._supports(p, x, case), inside, x.T
         before, dips = p @ state - support, []
         line = self._middle(before) if careful else None
@@ -166,35 +161,27 @@ class FastestTimes(SeparatingLines):
             if careful:
                 largest, line_before = distance.copy(), line
                 line = np.where(outward, self._angles[best], self._middle(gap))
-                self._look_between(
+                rows, starts = (
                     np.flatnonzero(~outward & (largest <= 0)),
-                    T,
-                    line_before,
-                    largest,
-                    line,
-                    *rows_of(todo, x, case, inside),
+                    rows_of(todo, x, case, inside),
                 )
+                self._look_between(rows, T, line_before, largest, line, *starts)
             meets = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so
                 # steeply enough.
-                drop, rise = (
-                    np.where(np.isfinite(distances[0]), distances[0], distances[1]) - distances[1],
-                    distance - distances[1],
+                drop = (
+                    np.where(np.isfinite(distances[0]), distances[0], distances[1]) - distances[1]
                 )
+                rise = distance - distances[1]
                 dip = np.flatnonzero(
                     ~outward
                     & (drop >= 0)
                     & (rise > 0)
                     & (distances[1] <= 2 * np.maximum(drop, rise))
                 )
-                dips.append(
-                    (
-                        todo[dip],
-                        np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0),
-                        np.full(len(dip), T),
-                    )
-                )
+                times = (np.full(len(dip), end) for end in (TIMES[j - 2] if j > 1 else 0.0, T))
+                dips.append((todo[dip], *times))
             distances = np.array([distances[1], distance])
             if meets.any():
                 rows, is_outward = todo[meets], outward[meets]
@@ -206,11 +193,9 @@ class FastestTimes(SeparatingLines):
                 )
                 theta[rows] = line_before[meets] if careful else self._middle(before[:, meets])
                 if is_outward.any():
-                    outward_rows, gap_now, gap_before = (
-                        rows[is_outward],
-                        gap[:, meets][:, is_outward],
-                        before[:, meets][:, is_outward],
-                    )
+                    outward_rows = rows[is_outward]
+                    gap_now = gap[:, meets][:, is_outward]
+                    gap_before = before[:, meets][:, is_outward]
                     with np.errstate(all="ignore"):
                         share = np.where(gap_now >= 0, -gap_before / (gap_now - gap_before), np.inf)
                     theta[outward_rows] = self._angles[share.argmin(axis=0)]
@@ -218,13 +203,8 @@ class FastestTimes(SeparatingLines):
                         self._second_maximum(gap_now, theta[outward_rows])
                     ]
                 unmet = ~meets
-                todo, support, outward, state, gap = (
-                    todo[unmet],
-                    support[:, unmet],
-                    outward[unmet],
-                    state[:, unmet],
-                    gap[:, unmet],
-                )
+                todo, outward = rows_of(unmet, todo, outward)
+                support, state, gap = support[:, unmet], state[:, unmet], gap[:, unmet]
                 distances, line = distances[:, unmet], line[unmet] if careful else None
                 if not len(todo):
                     break

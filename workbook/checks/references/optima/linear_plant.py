@@ -21,10 +21,8 @@ class Plant:
         self.A, self.b = np.array(A, dtype=float), np.array(b, dtype=float).ravel()
         self.bounds = tuple(float(bound) for bound in bounds)
         self.mean, self.half = sum(self.bounds) / 2, (self.bounds[1] - self.bounds[0]) / 2
-        self._trace, self._determinant = (
-            np.trace(self.A),
-            self.A[0, 0] * self.A[1, 1] - self.A[0, 1] * self.A[1, 0],
-        )
+        self._trace = np.trace(self.A)
+        self._determinant = self.A[0, 0] * self.A[1, 1] - self.A[0, 1] * self.A[1, 0]
         self._square = (self._trace / 2) ** 2 - self._determinant
         self._root = np.sqrt(abs(self._square))
         self._deviator_input = self.A @ self.b - self._trace / 2 * self.b

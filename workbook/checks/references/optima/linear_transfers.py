@@ -78,12 +78,8 @@ class LinearTransfer(TransferSystem):
         support = self._support(normals * units, duration)
         # The set {q.x <= S(q) for all q} is met along a direction d at the least S(q)/q.d.
         cosines = normals @ normals.T
-        return np.min(
-            np.where(
-                cosines > 1e-9, support[:, None] / np.where(cosines > 1e-9, cosines, 1), np.inf
-            ),
-            axis=0,
-        )
+        met = cosines > 1e-9
+        return np.where(met, support[:, None] / np.where(met, cosines, 1), np.inf).min(axis=0)
 
     def breaks(self, start, duration):
         return self._plan(start, duration)[0]

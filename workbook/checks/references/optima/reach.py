@@ -67,10 +67,8 @@ def to_origin(A, b, bounds, start):
         return None
     inside = []
     for value, left_vector in modes:
-        ends, component = (
-            sorted((left_vector.T * b)[0] * end / value for end in bounds),
-            (left_vector.T * sp.Matrix(start))[0],
-        )
+        ends = sorted((left_vector.T * b)[0] * end / value for end in bounds)
+        component = (left_vector.T * sp.Matrix(start))[0]
         inside += [ends[0] < -component, -component < ends[1]]
     return sp.And(*inside)
 
@@ -117,20 +115,12 @@ def touching(field, state, control, bounds, target):
     conditions, wider_conditions = [], []
     for u, opposite in (bounds, bounds[::-1]):
         on_border = sp.And(sp.Eq(target, 0), sp.Eq(rate(target, u), 0))
-        rate_difference, bend = (
-            sp.expand(rate(target, opposite) - rate(target, u)),
-            rate(rate(target, u), u),
-        )
+        rate_difference = sp.expand(rate(target, opposite) - rate(target, u))
+        bend = rate(rate(target, u), u)
         conditions.append(sp.And(on_border, rate_difference > 0, bend > 0))
-        wider_conditions.append(
-            sp.And(
-                on_border,
-                sp.Or(
-                    sp.And(rate_difference > 0, bend > 0),
-                    sp.And(rate_difference >= 0, sp.Eq(bend, 0)),
-                ),
-            )
-        )
+        turns, stays = bend > 0, sp.And(rate_difference >= 0, sp.Eq(bend, 0))
+        wider = sp.Or(sp.And(rate_difference > 0, turns), stays)
+        wider_conditions.append(sp.And(on_border, wider))
     return sp.Or(*conditions), sp.Or(*wider_conditions)
 
 

@@ -24,12 +24,8 @@ FAR_IN_TIME = 1.5 * HORIZON
 #: How long the last arcs of extremals are, the first of them the arcs of motions next to the
 #: target; from `WHOLE` on extremals are followed farther back than over one switching, until their
 #: states have the size `OUT` or time is up.
-LAST_ARCS, WHOLE, OUT, BACK = (
-    (1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 0.8, 1.4, 2.0, 2.6),
-    0.3,
-    80.0,
-    130.0,
-)
+LAST_ARCS = (1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 0.8, 1.4, 2.0, 2.6)
+WHOLE, OUT, BACK = 0.3, 80.0, 130.0
 #: How far before a switching states are taken, in units of the last arc.
 EARLIER = (0.02, 1.0, 15.0, 49.0)
 
@@ -97,14 +93,17 @@ class SampledOptimum(SampledStarts):
         spread_batch, near = self.cache["spread"], self.cache["near"]
         if near is None:
             return spread_batch
-        middle, direction, case = near
-        shift = relative_offset * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-        sides = np.concatenate([middle + shift, middle - shift])
-        case = np.concatenate([case, case])
-        keep = self.allowed(sides, case)
         return StateBatch.concatenated(
-            [spread_batch, self._safe(self.solve(sides[keep], case[keep]))]
+            [spread_batch, self._safe(self._beside(near, relative_offset))]
         )
+
+    def _beside(self, near, share, far=False):
+        """Return the optima on both sides of a curve, at a distance relative to the states."""
+        middle, direction, case = near
+        shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
+        x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
+        keep = self.allowed(x, case)
+        return self.solve(x[keep], case[keep], far)
 
     def _safe(self, batch):
         """Return the starts off the target that are in reach with all states next to them."""
@@ -133,10 +132,8 @@ class SampledOptimum(SampledStarts):
             curves = [self.cache["near"]]
             if self.convex.point:
                 random = np.random.default_rng(8)
-                x, case = (
-                    random.normal(size=(60, 2)) * FAR_OUT,
-                    random.integers(len(self.cases), size=60),
-                )
+                x = random.normal(size=(60, 2)) * FAR_OUT
+                case = random.integers(len(self.cases), size=60)
                 far = self.solve(x[self.allowed(x, case)], case[self.allowed(x, case)], far=True)
                 far = far.take(far.time < FAR_IN_TIME)
                 curves.append(self._between(far, lambda batch: batch.control, 16, far=True))
@@ -204,10 +201,8 @@ class SampledOptimum(SampledStarts):
     def _on_target(self, count):
         """Return points of the border of the target: (points, directions across, cases)."""
         random, cases = np.random.default_rng(9), range(len(self.cases))
-        x, case = (
-            np.concatenate([self.convex.around(random, k, count) for k in cases]),
-            np.repeat(cases, count),
-        )
+        x = np.concatenate([self.convex.around(random, k, count) for k in cases])
+        case = np.repeat(cases, count)
         for _ in range(30):
             slope = self.convex.slope(x, case)
             size = np.maximum((slope**2).sum(axis=1), 1e-9)[:, None]
@@ -216,11 +211,7 @@ class SampledOptimum(SampledStarts):
 
     def _sides(self, near, shortest):
         """Return starts next to a curve around which all fastest motions begin alike."""
-        middle, direction, case = near
-        shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-        x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
-        keep = self.allowed(x, case)
-        batch = self.solve(x[keep], case[keep], far=True)
+        batch = self._beside(near, NEXT, far=True)
         around = self._around(batch, NEXT / 2, far=True, count=5)
         same_control = (
             np.isfinite(around.time)
@@ -261,14 +252,7 @@ class SampledOptimum(SampledStarts):
             )
             parts = [spread_batch]
             for share in ((0.02,) if decimals else (0.008, 0.03)) if near is not None else ():
-                middle, direction, case = near
-                shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-                sides, cases = (
-                    np.concatenate([middle + shift, middle - shift]),
-                    np.concatenate([case, case]),
-                )
-                keep = self.allowed(sides, cases)
-                parts.append(self.solve(sides[keep], cases[keep], far=True))
+                parts.append(self._beside(near, share, far=True))
             border = StateBatch.concatenated(parts)
             self.cache[("border", decimals)] = border
         return border

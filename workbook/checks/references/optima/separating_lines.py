@@ -142,15 +142,8 @@ class SeparatingLines:
             around, width, steps = (
                 (centre, WIDE, 24) if iteration < 8 else (theta, 0.04 * 0.85**iteration, 10)
             )
-            angle, gap = self._best(
-                around,
-                middle,
-                x,
-                case,
-                inside,
-                np.where(inside, np.minimum(width, 0.15), width),
-                steps,
-            )
+            width = np.where(inside, np.minimum(width, 0.15), width)
+            angle, gap = self._best(around, middle, x, case, inside, width, steps)
             reached = np.where(inside, gap >= 0, gap <= 0)
             low, high = np.where(reached, low, middle), np.where(reached, middle, high)
             theta = np.where(reached & ~inside, theta, angle)

@@ -18,7 +18,7 @@ import sympy as sp
 
 from trajlib._lazy import casadi as ca
 from workbook.checks.contract.verdict import UnsuitableData
-from workbook.checks.references.optima.direct_problem import DirectProblem
+from workbook.checks.references.optima.direct_problem import IPOPT, DirectProblem
 from workbook.checks.references.optima.optimum import SHORT, Optimum
 from workbook.checks.references.optima.runge_kutta import rk4
 
@@ -31,18 +31,7 @@ TRIED, IMPROVED, CASES = 1500, 3, 24
 LONGEST = 4.0
 #: How often arcs are put in, of what length, and what a unit of it has to save.
 ROUNDS, INSERTED, SAVED = 5, 1e-4, 1e-3
-SOLVER = {
-    "ipopt.print_level": 0,
-    "print_time": False,
-    "ipopt.sb": "yes",
-    "ipopt.tol": 1e-10,
-    "ipopt.max_iter": 60,
-    "ipopt.bound_relax_factor": 0.0,
-    "ipopt.acceptable_iter": 0,
-    "show_eval_warnings": False,
-    "error_on_fail": False,
-    "calc_lam_p": False,
-}
+SOLVER = IPOPT | {"ipopt.tol": 1e-10, "ipopt.max_iter": 60}
 
 
 class PiecewiseConstant(Optimum):
@@ -166,15 +155,8 @@ class SeveralControls(DirectProblem):
         for base, positions in (
             (arcs, range(len(arcs) + 1)),
             *(
-                (
-                    [
-                        *arcs[:k],
-                        *[(arcs[k][0] * part, arcs[k][1]) for part in (share, 1 - share)],
-                        *arcs[k + 1 :],
-                    ],
-                    [k + 1],
-                )
-                for k in range(len(arcs))
+                ([*arcs[:k], (h * share, u), (h * (1 - share), u), *arcs[k + 1 :]], [k + 1])
+                for k, (h, u) in enumerate(arcs)
                 for share in (0.5, 0.9)
             ),
         ):
@@ -183,12 +165,8 @@ class SeveralControls(DirectProblem):
                 for position in positions
                 for control in itertools.product(*bounds.T)
             ]
-            rates = (
-                1
-                + (self._ends(np.array(guesses), constants) - end_conditions)
-                @ multipliers
-                / INSERTED
-            )
+            changes = self._ends(np.array(guesses), constants) - end_conditions
+            rates = 1 + changes @ multipliers / INSERTED
             if rates.min() < best:
                 best, chosen = rates.min(), guesses[int(np.argmin(rates))]
         return None if chosen is None else np.where(chosen == INSERTED, 0.1 * lengths.sum(), chosen)

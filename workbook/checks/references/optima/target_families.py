@@ -6,6 +6,7 @@ import sympy as sp
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_plant import Plant
 from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.line_search import bisect
 
 #: Switchings earlier than this before the end are not asked for.
 LONGEST = 12.0
@@ -23,19 +24,15 @@ class TargetFamily:
         symbols = [variable, *self.parameters]
         end_point = dict(zip(state, ends))
         gradient = [sp.diff(target, v).subs(end_point, simultaneous=True) for v in state]
-        self._point, self._gradient = (
-            sp.lambdify(symbols, list(ends), "numpy"),
-            sp.lambdify(symbols, gradient, "numpy"),
-        )
+        self._point = sp.lambdify(symbols, list(ends), "numpy")
+        self._gradient = sp.lambdify(symbols, gradient, "numpy")
         self._target = state, control, bounds, field, target, ends
-        self.side = (
-            1 if start is None else self._starts_side(target, state, start, end_point, gradient)
-        )
+        self.side = 1 if start is None else self._starts_side(state, start, end_point, gradient)
 
-    def _starts_side(self, target, state, start, end_point, gradient):
+    def _starts_side(self, state, start, end_point, gradient):
         """Return 1 if the starts lie where the target's expression is positive, else -1."""
         probe = dict(zip(self.parameters, self._cases[0]))
-        argument = {self.variable: self.arguments(self._cases[0], count=3)[1]}
+        argument = {self.variable: self.arguments(count=3)[1]}
         point = {s: sp.sympify(e).subs(argument).subs(probe) for s, e in end_point.items()}
         slope = [sp.sympify(g).subs(argument).subs(probe) for g in gradient]
         probe_point = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
@@ -72,10 +69,9 @@ class TargetFamily:
         """Return the cases of the parameters."""
         return self._cases
 
-    def arguments(self, values, count=181):
+    def arguments(self, count=181):
         """Return values of the variable, off the middle, which may be a special point."""
         low, high = self.interval
-        # off the middle, which may be a special point
         return low + (high - low) * (np.arange(count) + 0.47) / count
 
     def point(self, arguments, values):
@@ -120,12 +116,10 @@ class TargetFamily:
 
     def change(self, first, second, values):
         """Return where between two values of the variable the sign of the rate changes."""
-        sign = np.sign(self.rates(np.array([first]), values)[0])
-        for _ in range(50):
-            middle = (first + second) / 2
-            same_sign = np.sign(self.rates(np.array([middle]), values)[0]) == sign
-            first, second = (middle, second) if same_sign else (first, middle)
-        return (first + second) / 2
+        ends = np.array([first]), np.array([second])
+        sign = np.sign(self.rates(ends[0], values))
+        ends = bisect(lambda points, _: np.sign(self.rates(points, values)) == sign, *ends, 50)
+        return sum(ends)[0] / 2
 
     def switchings(self, arguments, values):
         """Return (points, times before the end, controls after) of the last switchings of extremals."""
@@ -148,21 +142,13 @@ class TargetFamily:
     def table(self, values):
         """Return the switching curve as two arrays, the first of them increasing."""
         low, high = self.interval
-        share = np.concatenate(
-            [
-                np.geomspace(1e-12, 0.2, 2500),
-                np.linspace(0.2, 0.8, 2500),
-                1 - np.geomspace(1e-12, 0.2, 2500),
-            ]
-        )
-        share = np.unique(share)
+        ends = np.geomspace(1e-12, 0.2, 2500)
+        share = np.unique(np.concatenate([ends, np.linspace(0.2, 0.8, 2500), 1 - ends]))
         points, times, _ = self.switchings(low + (high - low) * share, values)
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
     def values_text(self, values, argument):
         """Return the values of the parameters and of the variable for a message."""
-        named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
-            f"{self.variable} = {argument:.4g}"
-        ]
-        return "for " + ", ".join(named)
+        numbers = zip((*self.parameters, self.variable), (*values, argument))
+        return "for " + ", ".join(f"{s} = {number:.4g}" for s, number in numbers)

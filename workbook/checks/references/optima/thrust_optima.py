@@ -69,16 +69,11 @@ def thrust_optima(problem, parameters=None, points=None):
 
 def _read(problem):
     """Return (start, target, thrust, constant accelerations, whether it ends at rest), or None."""
-    if (
-        len(problem.state) != 4
-        or len(problem.control) != 1
-        or problem.running != 1
-        or problem.final != 0
-        or problem.duration is not None
-        or problem.maximise
-        or problem.first_return
-        or None in problem.initial.values()
-    ):
+    sizes, cost = (len(problem.state), len(problem.control)), (problem.running, problem.final)
+    kind = problem.duration, problem.maximise, problem.first_return
+    if (sizes, cost, kind) != ((4, 1), (1, 0), (None, False, False)):
+        return None
+    if None in problem.initial.values():
         return None
     ((u, bounds),) = problem.controls.items()
     x, y, v, w = problem.state
@@ -101,14 +96,8 @@ def _read(problem):
         return None
     if ends_at_rest and any(e != 0 for e in (target[0][v], target[0][w], *accelerations)):
         return None
-    return (
-        *problem.initial.values(),
-        target[0][x],
-        target[0][y],
-        thrust,
-        *accelerations,
-        ends_at_rest,
-    )
+    ends = target[0][x], target[0][y]
+    return *problem.initial.values(), *ends, thrust, *accelerations, ends_at_rest
 
 
 class ThrustOptimum(FastestTransfer):
@@ -155,15 +144,9 @@ class ThrustOptimum(FastestTransfer):
 
 def _to_position(position, speed, pull):
     half = pull / 2
-    roots = np.roots(
-        [
-            half @ half - 1 / 4,
-            2 * half @ speed,
-            speed @ speed + 2 * half @ position,
-            2 * speed @ position,
-            position @ position,
-        ]
-    )
+    square = speed @ speed + 2 * half @ position
+    ends = 2 * speed @ position, position @ position
+    roots = np.roots([half @ half - 1 / 4, 2 * half @ speed, square, *ends])
     real = roots.real[(abs(roots.imag) <= 1e-7 * abs(roots)) & (roots.real > 0)]
     if not real.size:
         raise RuntimeError("the thrust does not bring the point to its target")

@@ -63,11 +63,8 @@ class Transfer:
     """
 
     def __init__(self, problem, parameters=()):
-        self.dynamics, self.slowest, self.parameters = (
-            problem.dynamics,
-            problem.maximise,
-            list(parameters),
-        )
+        self.dynamics, self.slowest = problem.dynamics, problem.maximise
+        self.parameters = list(parameters)
         self.initial = [
             x if value is None and x in self.parameters else value
             for x, value in problem.initial.items()
@@ -75,12 +72,8 @@ class Transfer:
         state = list(problem.dynamics)
         self.terminal = _without_factors(problem)
         bounds = [bound for pair in problem.controls.values() for bound in pair]
-        if (
-            not is_time_optimal(problem)
-            or len(bounds) != 2
-            or any(bound.is_infinite for bound in bounds)
-            or None in self.initial
-        ):
+        bounded = len(bounds) == 2 and not any(bound.is_infinite for bound in bounds)
+        if not is_time_optimal(problem) or not bounded or None in self.initial:
             raise Unknown(
                 "problem: expected the least or greatest time of one control with two bounds"
             )
@@ -175,12 +168,10 @@ class Transfer:
                 if math.isfinite(best.duration) and best.duration > 0
             ]
         # next to zero too: a smooth function is not the sign of its argument there
-        if self._kind is ScalarTransfer:
-            near = (
-                {p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
-                for values, _ in samples[:2]
-            )
-            samples += [(values, self.at(values)) for values in near if self.solvable(values)]
+        for values, _ in samples[:2] if self._kind is ScalarTransfer else ():
+            near = {p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
+            if self.solvable(near):
+                samples.append((near, self.at(near)))
         return samples
 
     def solvable(self, values):
@@ -272,17 +263,12 @@ class Transfer:
         modes = []
         for value, _, vectors in matrix.T.eigenvects():
             for left_vector in vectors if value.is_real and value >= 0 else ():
-                effect = (left_vector.T * column)[0]
-                pushes = [effect * b for b in self.bounds]
-                modes.append(
-                    (
-                        left_vector,
-                        *sorted(
-                            push / value if value else sp.oo * sp.sign(push) if push else 0
-                            for push in pushes
-                        ),
-                    )
+                pushes = ((left_vector.T * column)[0] * b for b in self.bounds)
+                ends = sorted(
+                    push / value if value else sp.oo * sp.sign(push) if push else 0
+                    for push in pushes
                 )
+                modes.append((left_vector, *ends))
         return modes
 
 

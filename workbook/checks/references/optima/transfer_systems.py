@@ -27,19 +27,10 @@ class TransferSystem:
 
     def __init__(self, state, control, field, bounds, terminal):
         self.bounds = tuple(map(float, bounds))
+        dynamics, initial = tuple(zip(state, field)), tuple((x, None) for x in state)
+        least_time = sp.S.One, sp.S.Zero, None, False, False
         self.problem = DirectProblem(
-            (
-                tuple(zip(state, field)),
-                ((control, bounds),),
-                tuple((x, None) for x in state),
-                tuple(terminal),
-                sp.S.One,
-                sp.S.Zero,
-                None,
-                False,
-                False,
-            ),
-            (),
+            (dynamics, ((control, bounds),), initial, tuple(terminal), *least_time), ()
         )
 
     def foresee(self, starts):
