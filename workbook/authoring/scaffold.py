@@ -90,7 +90,7 @@ name = "NAME"  # its chapters are NAME, or NAME1, NAME2, ...
 """
 CONF = """\
 # The site: `workbook page` once, then `sphinx-build . _build/html` (extras site and page).
-project = "TITLE"
+project = html_title = "TITLE"
 extensions = ["workbook.site"]
 html_theme = "sphinx_book_theme"
 # With "solutions" here in place of "exercises" the site has no solutions.
