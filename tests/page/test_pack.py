@@ -95,3 +95,10 @@ def test_the_bundle_is_built_from_its_sources():
         versions = [f"{part['package']}@{part['version']}" for part in tomllib.load(file).values()]
     command = (SOURCES / "build.sh").read_text(encoding="utf-8")
     assert [version for version in versions if version not in command] == []
+
+
+def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(pack.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(ModuleNotFoundError, match=r"trajlib\[page\]"):
+        pack.pack(tmp_path / "run")
+    assert not (tmp_path / "run").exists()

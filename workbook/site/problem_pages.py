@@ -66,7 +66,7 @@ def _student_page(source, head):
                 cell["source"] = cell["source"].replace(
                     f"attachment:{name}", f"data:{form};base64,{picture}"
                 )
-    texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
+    texts[0]["source"] = f"{head}\n:::{{container}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)
 
 
