@@ -263,7 +263,7 @@ def page(
         pack(to)
     except ModuleNotFoundError as error:
         raise UserError(error) from None
-    print(f"{to}: the site that `workbook.site` builds beside it has answer boxes")
+    print(f"{to}: Python for the answer boxes of a site")
 
 
 @app.command()

@@ -68,4 +68,4 @@ def setup(app):
     app.add_css_file("problems.css", priority=700)  # after those of the extensions above
     for extension in EXTENSIONS:
         extension.setup(app)
-    return {"parallel_read_safe": True, "parallel_write_safe": True}
+    return {"env_version": 1, "parallel_read_safe": True, "parallel_write_safe": True}
