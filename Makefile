@@ -39,7 +39,7 @@ again: $(INSTALLED)
 
 # Python for the answer boxes of the pages, in _build/run.
 page: $(INSTALLED)
-	$(if $(filter no,$(PAGE)),rm -rf _build/run _build/run.json,$(BIN)/python book/build.py page)
+	$(if $(filter no,$(PAGE)),rm -rf _build/run,$(BIN)/python book/build.py page)
 
 # The page of downloads then offers what was made.
 pdf: book  ## print the site as PDF with Chromium, chapter by chapter and whole, in _build/pdf

@@ -3,7 +3,7 @@
     python book/build.py outputs    execute the pages that are stale (book/execute.py)
     python book/build.py mistakes   judge the trials that are stale (book/judge_trials.py)
     python book/build.py again      make the other numbers with which pages ask problems again (book/asked_again.py)
-    python book/build.py page       pack Python for the answer boxes of the pages (book/engine/pack.py)
+    python book/build.py page       pack Python for the answer boxes of the pages (workbook/engine)
     python book/build.py wheels     build the wheel that the site offers, if it is stale
     python book/build.py site       read and write the pages that changed, as `jupyter-book build` does
     python book/build.py student    write the edition without solutions, when the others are there
@@ -24,7 +24,7 @@ from settings import SETTINGS
 ROOT = Path(__file__).resolve().parent.parent
 BUILT = ROOT / "_build"
 #: What the site offers for download, as far as it was made.
-OFFERED = ("wheels", "run", "pdf", "bundle")
+OFFERED = ("wheels", "pdf", "bundle")
 #: Parts of the table of contents that the student edition leaves out: the tables of the checks hold right
 #: answers, and lectures work problems out.
 NOT_FOR_STUDENTS = re.compile(
@@ -71,10 +71,15 @@ def again():
 
 def page():
     """Pack Python for the pages in _build/run; return the exit code."""
-    sys.path.insert(0, str(ROOT / "book" / "engine"))
-    from pack import main
+    sys.path.insert(0, str(ROOT))
+    from workbook.engine.pack import pack
 
-    return main(ROOT)
+    try:
+        pack(BUILT / "run")
+    except ModuleNotFoundError as error:
+        print(f"Pages without answer boxes: {error}")
+        shutil.rmtree(BUILT / "run", ignore_errors=True)
+    return 0
 
 
 def site():
@@ -130,7 +135,7 @@ def student():
     if done.returncode:
         _forget(folder / ".doctrees")
         return done.returncode
-    _offer(folder / "html", OFFERED[:2])
+    _offer(folder / "html", OFFERED[:1])
     print(f"The student edition is in {folder / 'html'}")
     return 0
 
@@ -142,11 +147,11 @@ def wheels():
         ROOT / "pyproject.toml",
         ROOT / "book" / "routes.toml",
         ROOT / "book" / "exams.toml",
-        *(ROOT / "workbook" / "display" / "explorer" / "static").rglob("*"),
         *(
             path
-            for name in ("trajlib", "workbook", "exercises")
-            for path in (ROOT / name).rglob("*.py")
+            for name in ("trajlib", "workbook")
+            for path in (ROOT / name).rglob("*")
+            if path.is_file() and "__pycache__" not in path.parts
         ),
         *(ROOT / "exercises").rglob("*.ipynb"),
     ]
@@ -164,7 +169,6 @@ def book():
     if "--no-page" in sys.argv:  # without answer boxes, which need 80 MB
         steps.remove("page")
         shutil.rmtree(BUILT / "run", ignore_errors=True)
-        (BUILT / "run.json").unlink(missing_ok=True)
     for step in steps:
         code = subprocess.run([sys.executable, __file__, step], check=False).returncode
         if code:

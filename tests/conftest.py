@@ -15,7 +15,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # All of Jupyter loads jsonschema, and this the grammars of a checker that nobody asks: two seconds
 # in each process.
 sys.modules["rfc3987_syntax"] = None
-for folder in ("problems", "checks", "library", "browser", "page"):
+for folder in ("problems", "checks", "library", "browser", "page", "course"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
 import pytest  # noqa: E402

@@ -255,6 +255,20 @@ def prove(
 
 
 @app.command()
+def page(
+    to: Annotated[Path, typer.Option(help="The folder to pack into.")] = Path("_build/run"),
+):
+    """Pack Python for the answer boxes of a site (33 MB, the same for every course)."""
+    from workbook.engine.pack import pack
+
+    try:
+        pack(to)
+    except ModuleNotFoundError as error:
+        raise UserError(error) from None
+    print(f"{to}: Python for the answer boxes of a site")
+
+
+@app.command()
 def variants(
     numbers: Annotated[
         list[str] | None, typer.Argument(help="Only these problems; default: all that vary.")

@@ -13,6 +13,7 @@ import re
 import traceback
 from importlib.util import find_spec
 
+from workbook import mistakes
 from workbook.checks.contract import cell_watch
 from workbook.checks.contract.check_cells import with_problem
 from workbook.checks.contract.error_hints import hint_for
@@ -26,7 +27,7 @@ This library is not here; pages of the site do not have it. If your answer
 does not need it, leave the line out; else run it in the notebook."""
 
 
-def run_cell(cells, check, problem="", names=()):
+def run_cell(cells, check, problem="", names=(), sealed=None):
     """Run the cells above a check cell, then the check cell, in a fresh namespace.
 
     Parameters
@@ -42,6 +43,9 @@ def run_cell(cells, check, problem="", names=()):
     names : list of str, optional
         The answer that belongs into each of the cells, "" for a data cell. With it a box that holds
         one expression is taken as that answer.
+    sealed : dict, optional
+        The sealed mistakes of problems by number, which a page brings along; without it they are looked
+        for beside the notebooks.
 
     Returns
     -------
@@ -71,6 +75,7 @@ def run_cell(cells, check, problem="", names=()):
     """
     os.environ.setdefault("MPLBACKEND", "Agg")
     cell_watch.forget()
+    mistakes.brought = sealed or {}
     namespace, errors, read = {"__name__": "__main__"}, [], []
     printed = [_Printed() for _ in cells]
     for position, typed in enumerate(cells):

@@ -4,7 +4,7 @@ import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 
-const OUT = "static/answer_boxes";
+const OUT = "../../workbook/site/static/answer_boxes";
 const PACKAGES = ["@codemirror/state", "@codemirror/view", "@codemirror/commands", "@codemirror/language",
   "@codemirror/lang-python", "@lezer/common", "@lezer/highlight", "@lezer/lr", "@lezer/python", "@marijn/find-cluster-break",
   "crelt", "style-mod", "w3c-keyname"];

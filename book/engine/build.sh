@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rebuild engine.js from src/ and the packages of vendored.toml; needs Node 20 and npm.
+# Rebuild workbook/engine/engine.js from src/ and the packages of vendored.toml; needs Node 20 and npm.
 set -eu
 cd "$(dirname "$0")"
 packages=$(mktemp -d)
@@ -13,5 +13,5 @@ bundle() {
 sum=$(cat src/* | sha256sum | cut -c 1-64)
 bundle src/worker.mjs --outfile="$packages/worker.bundle"
 bundle src/engine.mjs --alias:worker.bundle="$packages/worker.bundle" --loader:.bundle=text \
-  --loader:.py=text --outfile=engine.js \
+  --loader:.py=text --outfile=../../workbook/engine/engine.js \
   --banner:js="// Built by build.sh from src/ ($sum) and @bjorn3/browser_wasi_shim 0.4.2 (MIT, licenses/)."

@@ -7,38 +7,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from own_problems import SUBSPACE, fill_in
 
 from workbook import course
 from workbook.authoring import MasterError, new_course, new_problem, read_master
 from workbook.notebooks import exercises, origin
 
 ROOT = Path(__file__).resolve().parents[2]
-SUBSPACE = {
-    "PLACEHOLDER title of problem robotics.2": "Unobservable states of two joints",
-    "condition: PLACEHOLDER the real $k$ for which the zero solution is asymptotically stable": (
-        "list of vector: a basis of the unobservable subspace"
-    ),
-    "a_region": "a_basis",
-    "PLACEHOLDER What signs do the coefficients have?": "Which states give the output zero forever?",
-    "Find where the zero solution is asymptotically stable:": "Find the unobservable subspace:",
-    "\\quad\\ddot x + k\\dot x + x = 0.": (
-        "\\quad\\dot x_1 = x_1,\\ \\dot x_2 = 2x_2,\\ \\text{where } x_1 \\text{ is measured}."
-    ),
-    'k, s = sp.symbols("k s", real=True)\na_poly = s**2 + k*s + 1': (
-        "a_system = Linear(A=sp.diag(1, 2), H=sp.Matrix([[1, 0]]))"
-    ),
-    "from workbook import checks": "from workbook import checks\nfrom workbook.systems import Linear",
-    "a_basis = k > 0": "a_basis = [[0, 1]]",
-    "checks.stability_region(a_basis, a_poly, [k])": "checks.unobservable_states(a_basis, a_system)",
-    "PLACEHOLDER": "",
-}
-TRIALS = """\
-# %% wrong
-a_basis = [[1, 0]]  # Is this state not the one that is measured? (hint 1)
-
-# %% right
-a_basis = [[0, -3]]  # a multiple
-"""
 
 
 def run(*command, cwd, code=0):
@@ -68,13 +43,8 @@ def robotics(tmp_path_factory):
     new_course(folder)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(course.VARIABLE, str(folder))
-        page, trials = new_problem(folder / "solutions", "robotics.2")
-    text = page.read_text(encoding="utf-8")
-    for old, new in SUBSPACE.items():
-        assert old in text, old
-        text = text.replace(old, new)
-    page.write_text(text, encoding="utf-8")
-    trials.write_text(TRIALS, encoding="utf-8")
+        paths = new_problem(folder / "solutions", "robotics.2")
+    fill_in(*paths, *SUBSPACE)
     proved = run("prove", cwd=folder)
     assert proved.count(": proved") == 2, proved
     run("exercises", cwd=folder)

@@ -6,9 +6,16 @@ import shlex
 import shutil
 import subprocess
 import sys
+import threading
+from functools import partial
+from http.server import ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
+from chromium import browser  # noqa: F401
+from engine_page import QuietHandler
+from own_problems import CONTROL, SUBSPACE, fill_in
+from selenium.webdriver.common.keys import Keys
 
 pytestmark = [pytest.mark.waits, pytest.mark.slow]
 ROOT = Path(__file__).resolve().parents[2]
@@ -112,7 +119,7 @@ def test_the_library_alone(tmp_path, checkout):
 
 
 @pytest.mark.timeout(1800)  # Python may have to be compiled to WebAssembly
-def test_a_class_without_a_checkout(tmp_path):
+def test_a_class_without_a_checkout(tmp_path, browser):  # noqa: F811
     subprocess.run(
         [
             sys.executable,
@@ -150,21 +157,83 @@ def test_a_class_without_a_checkout(tmp_path):
     environment.run(*grade, cwd=tmp_path, timeout=1500)
     assert '"5.00"' in (tmp_path / "graded" / "hw1" / "grades.csv").read_text("utf-8-sig")
 
+    site = follow_the_guide(environment, tmp_path)
+    answer_on_the_pages(site, browser)
+
+
+#: The region of each of five students, and what is on the page that he gets back.
+REGIONS = {
+    "ada": ("(k_p > 0) & (k_d > 0)", "Did you forget the torque of gravity?"),
+    "ben": ("(k_p > 2) & (k_d > 0)", "right"),
+    "cleo": ("k_p > gravity", "Do oscillations die out without damping?"),
+    "dan": ("...", "missing"),
+    "eve": ("sp.Min(k_p - gravity, k_d) > 0", "right"),
+}
+
+
+def follow_the_guide(environment, tmp_path):
+    """Run the lines of the guide on courses, with two more problems; return the site."""
     folder, printed = tmp_path, ""
     guide = (ROOT / "book" / "guides" / "own_course.md").read_text(encoding="utf-8")
     for command, *arguments in map(shlex.split, re.findall(r"^\$ (.+)", guide, re.M)):
         if command == "cd":
             folder /= arguments[0]
-        elif arguments[0] == "grade":
-            sent = folder / "submitted" / "ada" / "hw1" / "chrobotics-p01.ipynb"
-            sent.parent.mkdir(parents=True)
-            text = (folder / "assignments" / "hw1" / sent.name).read_text(encoding="utf-8")
-            sent.write_text(text.replace("a_region = ...", "a_region = (k_p > 0) & (k_d > 0)"))
-        if command != "cd":
-            printed += environment.run(command, *arguments, cwd=folder, timeout=600).stdout
+            for number, problem in ("robotics.2", SUBSPACE), ("robotics.3", CONTROL):
+                written = environment.run("workbook", "new", number, cwd=folder).stdout
+                fill_in(*(folder / name for name in written.splitlines()[:2]), *problem)
+            continue
+        if arguments[0] == "grade":
+            handed_out = folder / "assignments" / "hw1" / "chrobotics-p01.ipynb"
+            text = handed_out.read_text(encoding="utf-8")
+            for student, (region, _) in REGIONS.items():
+                sent = folder / "submitted" / student / "hw1" / handed_out.name
+                sent.parent.mkdir(parents=True)
+                sent.write_text(text.replace("a_region = ...", f"a_region = {region}"))
+        printed += environment.run(command, *arguments, cwd=folder, timeout=600).stdout
     assert "robotics.1: proved" in printed and "4 of 4 rows proved" in printed
-    page = (folder / "graded" / "hw1" / "feedback" / "ada.html").read_text(encoding="utf-8")
-    assert "Did you forget the torque of gravity?" in page
+    assert environment.run("workbook", "prove", cwd=folder).stdout.count(": proved") == 3
+    for student, (_, told) in REGIONS.items():
+        page = folder / "graded" / "hw1" / "feedback" / f"{student}.html"
+        assert told in page.read_text(encoding="utf-8")
+    return folder / "_build" / "html"
+
+
+#: CasADi is not in a page: what needs it is judged by the notebook, and the page says so.
+NOT_HERE = "a_control unchecked: this check runs in the notebook"
+#: Of each page its file, an answer, a wrong and a right one, and what the page says of each.
+BOXES = [
+    (
+        "p01",
+        "a_region",
+        ("k_p > gravity", "without damping?"),
+        ("(k_p > 2) & (k_d > 0)", "✓ a_region right"),
+    ),
+    ("p02", "a_basis", ("[[1, 0]]", "the one that is measured?"), ("[[0, 7]]", "✓ a_basis right")),
+    ("p03", "a_control", ("6*L*t", NOT_HERE), ("6*L - 12*L*t", NOT_HERE)),
+]
+
+
+def answer_on_the_pages(site, chromium):
+    """Give wrong and right answers in the boxes of the site's pages, whose own Python judges them."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(QuietHandler, directory=str(site)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    allow = {"source": "localStorage['workbook/python'] = 'true'"}
+    chromium.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", allow)
+    for file, name, *answers in BOXES:
+        address = f"http://127.0.0.1:{server.server_port}/solutions/chrobotics/{file}.html"
+        for answer, expected in answers:
+            chromium.driver.get(address)
+            chromium.find(f".answer-box [aria-label='{name}']").click()
+            assert chromium.wait_for("document.activeElement.classList.contains('cm-content')")
+            field = chromium.driver.switch_to.active_element
+            field.send_keys(Keys.CONTROL + "a")
+            field.send_keys(Keys.DELETE, f"{name} = {answer}")
+            chromium.find(".answer-run").click()
+            report = "document.querySelector('.answer-output .workbook-report')?.innerText"
+            shown = " ".join((chromium.wait_for(report, 120) or "").split())
+            assert expected in shown, (name, answer, shown)
+    server.shutdown()
+    server.server_close()
 
 
 def test_a_checkout_with_lectures(tmp_path, checkout):

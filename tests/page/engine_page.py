@@ -4,7 +4,6 @@ import functools
 import importlib.util
 import json
 import os
-import sys
 import threading
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -12,7 +11,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "book" / "engine"))
 
 PAGE = """<!doctype html><meta charset="utf-8"><title>A page</title><link rel="icon" href="data:,">
 <script src="../run/engine.js"></script>"""
@@ -31,9 +29,9 @@ def packed(tmp_path_factory):
         if os.environ.get("CI") == "true":
             pytest.fail(missing)
         pytest.skip(missing)
-    import pack
+    from workbook.engine.pack import pack
 
-    pack.main(ROOT)
+    pack(ROOT / "_build" / "run")
     folder = tmp_path_factory.mktemp("packed")
     (folder / "pages").mkdir()
     (folder / "pages" / "page.html").write_text(PAGE)

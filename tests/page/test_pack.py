@@ -3,12 +3,12 @@
 import hashlib
 import tomllib
 
-import lean
-import pack
 import pytest
 from engine_page import ROOT
 
-ENGINE = ROOT / "book" / "engine"
+from workbook.engine import lean, pack
+
+SOURCES, ENGINE = ROOT / "book" / "engine", ROOT / "workbook" / "engine"
 
 
 def section(number, body):
@@ -78,17 +78,27 @@ def test_the_library_holds_no_solution_and_no_grader():
     import io
     import tarfile
 
-    names = tarfile.open(fileobj=io.BytesIO(pack.library(ROOT))).getnames()
-    assert "workbook/page.py" in names and "exercises/ch1/p15.mistakes" in names
-    assert not [name for name in names if name.startswith(("solutions", "workbook/grading"))]
-    assert all(name.endswith((".py", ".mistakes")) for name in names)
+    names = tarfile.open(fileobj=io.BytesIO(pack.library())).getnames()
+    assert "workbook/page.py" in names and "trajlib/__init__.py" in names
+    outside = ("workbook/grading", "workbook/site", "workbook/engine")
+    assert not [name for name in names if name.startswith(outside)]
+    assert all(
+        name.startswith(("trajlib/", "workbook/")) and name.endswith(".py") for name in names
+    )
 
 
 def test_the_bundle_is_built_from_its_sources():
-    sources = b"".join(path.read_bytes() for path in sorted((ENGINE / "src").iterdir()))
+    sources = b"".join(path.read_bytes() for path in sorted((SOURCES / "src").iterdir()))
     script = (ENGINE / "engine.js").read_text(encoding="utf-8")
     assert hashlib.sha256(sources).hexdigest() in script.split("\n")[0]
-    with open(ENGINE / "vendored.toml", "rb") as file:
+    with open(SOURCES / "vendored.toml", "rb") as file:
         versions = [f"{part['package']}@{part['version']}" for part in tomllib.load(file).values()]
-    command = (ENGINE / "build.sh").read_text(encoding="utf-8")
+    command = (SOURCES / "build.sh").read_text(encoding="utf-8")
     assert [version for version in versions if version not in command] == []
+
+
+def test_without_the_extra_the_message_names_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(pack.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(ModuleNotFoundError, match=r"trajlib\[page\]"):
+        pack.pack(tmp_path / "run")
+    assert not (tmp_path / "run").exists()

@@ -6,9 +6,9 @@ window.workbookEngine = {
     onProgress("Loading Python", 0.5);
     return Promise.resolve();
   },
-  runCell(cells, check, problem, seconds, names) {
+  runCell(cells, check, problem, seconds, names, sealed) {
     const stopped = new Promise((resolve) => { this.stop = () => resolve({ stdout: "", result: null, error: "stopped" }); });
-    const body = JSON.stringify({ cells, check, problem, names });
+    const body = JSON.stringify({ cells, check, problem, names, sealed });
     const run = cells.some((cell) => cell.includes("while True"))
       ? new Promise(() => {})
       : fetch("/run", { method: "POST", body }).then(async (answer) => ({ stdout: "", result: await answer.json(), error: null }));

@@ -3,6 +3,7 @@
 import hashlib
 import importlib.util
 import json
+import os
 import re
 import subprocess
 import sys
@@ -26,10 +27,12 @@ from workbook.page import run_cell
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "book" / "answer_boxes"
+BUNDLES = ROOT / "workbook" / "site" / "static" / "answer_boxes"
 sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book")]
 
 import asked_again  # noqa: E402
-from workbook_site.answer_boxes import boxes_of, in_order_of_boxes  # noqa: E402
+
+from workbook.site.answer_boxes import boxes_of, in_order_of_boxes  # noqa: E402
 
 PAGES = ("ch1/p15", "ch5/p57", "ch5/p03")
 BUILD = """
@@ -94,10 +97,7 @@ def sites(tmp_path_factory):
     asked_again.main(ROOT, "ch1/p15")
     sites = SimpleNamespace()
     for edition in ("solutions", "exercises"):
-        site = build(tmp_path_factory.mktemp("site"), edition, engine)
-        (site / "run").mkdir()
-        (site / "run" / "engine.js").write_text(source, encoding="utf-8")
-        setattr(sites, edition, site)
+        setattr(sites, edition, build(tmp_path_factory.mktemp("site"), edition, engine))
     return sites
 
 
@@ -270,7 +270,6 @@ def test_without_the_engine_a_page_has_no_box_and_no_script(tmp_path):
     for page in site.rglob("*.html"):
         assert "answer-box" not in page.read_text(encoding="utf-8")
         assert "answer_boxes" not in page.read_text(encoding="utf-8")
-    assert not (site / "_static" / "answer_boxes").exists()
     assert not list(site.rglob("*.ipynb.js"))
 
 
@@ -290,8 +289,11 @@ def test_the_bundles_are_those_of_the_sources():
         for line in (SOURCES / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
     )
     files = {
-        path.relative_to(SOURCES).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in SOURCES.rglob("*")
+        os.path.relpath(path, SOURCES).replace(os.sep, "/"): hashlib.sha256(
+            path.read_bytes()
+        ).hexdigest()
+        for folder in (SOURCES, BUNDLES)
+        for path in folder.rglob("*")
         if path.is_file() and "node_modules" not in path.parts
     }
     unlisted = {".npmrc", "README.md", "SHA256SUMS"}

@@ -8,7 +8,9 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book" / "_ext"))
 
-from workbook_site.downloads import colab_links, name_own_address
+from workbook_site.built_files import name_own_address
+
+from workbook.site.downloads import colab_links
 
 NOTEBOOK = "exercises/ch1/p15.ipynb"
 COLAB = "https://colab.research.google.com/github"

@@ -215,7 +215,7 @@ def test_indistinguishable_entries(tmp_path):
 GROUND = re.compile(
     r'<g id="(figure|axes)_\d+">\s*<g id="patch_\d+">\s*<path d="[^"]*"[^>]*style="fill: #ffffff"'
 )
-STYLE_SHEET = Path(__file__).resolve().parents[2] / "book" / "_static" / "workbook.css"
+STYLE_SHEET = Path(__file__).resolve().parents[2] / "workbook" / "site" / "static" / "problems.css"
 
 
 def test_pictures_have_no_ground_and_the_ink_and_font_of_the_page(pictures):

@@ -7,8 +7,9 @@ from docutils import nodes
 from docutils.utils import new_document
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book" / "_ext"))
-from workbook_site.problem_pages import BeginWithCapital
 from workbook_site.punctuation import KeepWithFormula
+
+from workbook.site.problem_pages import BeginWithCapital
 
 
 def test_equal_texts_are_distinguished():

@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
-from workbook_site.downloads import page_notebook  # noqa: E402
+from workbook.site.downloads import page_notebook  # noqa: E402
 
 PAGES = sorted((ROOT / "book" / "guides" / "tutorials").glob("*.md"))
 MYST = re.compile(r"^\([\w-]+\)=|\{[\w:-]+\}`|^`{3,}\{", re.M)

@@ -88,6 +88,27 @@ name = "NAME"  # its chapters are NAME, or NAME1, NAME2, ...
 # site = "https://..."  # where notebooks link to
 # wheel = "https://..."  # where students get the workbook
 """
+CONF = """\
+# The site: `workbook page` once, then `sphinx-build . _build/html` (extras site and page).
+project = html_title = "TITLE"
+extensions = ["workbook.site"]
+html_theme = "sphinx_book_theme"
+# With "solutions" here in place of "exercises" the site has no solutions.
+exclude_patterns = ["_build", "assignments", "exercises", "graded", "submitted", "variants"]
+"""
+INDEX = """\
+# TITLE
+
+```{problem-list}
+```
+
+```{toctree}
+:hidden:
+:glob:
+
+*/ch*/p*
+```
+"""
 FIRST_PAGE = """\
 ---
 jupytext:
@@ -167,7 +188,7 @@ a_region = (k_d > 0) & (k_p > gravity)
 
 
 def new_course(folder):
-    """Begin a course in a folder: its `workbook.toml`, and one complete problem.
+    """Begin a course in a folder: its `workbook.toml`, one complete problem, and a site.
 
     Parameters
     ----------
@@ -202,7 +223,13 @@ def new_course(folder):
         "NAME": name,
         "TITLE": folder.resolve().name.replace('"', ""),
     }
-    texts = {folder / course.FILE: COURSE, page: FIRST_PAGE, trials_file(page): FIRST_TRIALS}
+    texts = {
+        folder / course.FILE: COURSE,
+        folder / "conf.py": CONF,
+        folder / "index.md": INDEX,
+        page: FIRST_PAGE,
+        trials_file(page): FIRST_TRIALS,
+    }
     return _written(texts, values), number.base
 
 

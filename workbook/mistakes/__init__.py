@@ -10,6 +10,9 @@ import json
 from workbook.checks.contract.former_names import with_former_names
 from workbook.notebooks import exercises
 
+#: The sealed mistakes that a page brought along, by problem; elsewhere they are beside the notebooks.
+brought: dict[str, dict] = {}
+
 
 def find_mistake(problem, answer, value):
     """Return the sentence on a wrong value of an answer.
@@ -32,13 +35,7 @@ def find_mistake(problem, answer, value):
     from workbook.mistakes.sealing import find
     from workbook.mistakes.signature import AnswerType, NoSignature, signatures
 
-    try:
-        path = exercises.path_of(problem)
-    except exercises.UnknownExercise:  # a notebook of another edition
-        return ""
-    # a page of the site has the sealed mistakes without the notebooks
-    file = mistakes_file(path)
-    known = json.loads(file.read_text(encoding="utf-8"))["answers"] if file.is_file() else {}
+    known = brought[problem] if problem in brought else _stored(problem)
     # the check cell of an earlier notebook has the former name
     answer = next((name for name in known if answer in (name, with_former_names(name))), None)
     if answer is None:
@@ -49,6 +46,20 @@ def find_mistake(problem, answer, value):
         return find(mistakes["told"], f"{problem} {answer}", signatures(value, answer_type))
     except NoSignature:
         return ""
+
+
+def _stored(problem):
+    """Return the sealed mistakes beside the notebook of a problem: what is known of each answer."""
+    try:
+        return read_sealed(exercises.path_of(problem))
+    except exercises.UnknownExercise:  # a notebook of another edition
+        return {}
+
+
+def read_sealed(notebook):
+    """Return the sealed mistakes beside a student notebook, {} if there are none."""
+    file = mistakes_file(notebook)
+    return json.loads(file.read_text(encoding="utf-8"))["answers"] if file.is_file() else {}
 
 
 def mistakes_file(notebook):

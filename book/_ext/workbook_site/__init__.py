@@ -1,19 +1,10 @@
-"""What the workbook's site adds to Jupyter Book.
+"""What the workbook's site adds to Jupyter Book and to `workbook.site`, the pages of its problems.
 
-catalogue         the problems of the edition that is being built, from their front matter
-problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
-listings          the list of all problems and the index by topic, made from the catalogue
+built_files       the wheel, the book as PDF and the packed site, to be downloaded
 chapter_map       a chapter's page and its sidebar: sections with a picture and their problems
-downloads         the notebooks of students and tutorials, and the wheel
-common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
-answer_boxes      boxes for answers that are checked in the page
 self_tests        questions inside the theory, with the same boxes
 progress_page     the reader's own progress, "Where am I?"
 routes            ways through the course as tables, and the map of the sections
-folding           statements; solutions, hints and code folded with the browser's own <details>
-figures           pictures with their number, their caption and alternative text
-explorers         interactive figures: their script, once, on the pages that have one
-cell_output       formulas typeset in what cells print
 punctuation       a comma stays with the formula before it
 numbering         numbers of equations and theorems follow their labels
 library           the pages of the library, by autodoc and numpydoc (`docstrings`)
@@ -34,26 +25,17 @@ import gc
 
 from workbook.grading.sandbox.preloading import GC_THRESHOLD
 from workbook_site import (
-    answer_boxes,
-    catalogue,
-    cell_output,
+    built_files,
     chapter_map,
     check_cases,
-    common_mistakes,
     control_problems,
-    downloads,
     errata,
-    explorers,
-    figures,
-    folding,
     invalidation,
     lectures,
     library,
-    listings,
     numbering,
     offline,
     printed_book,
-    problem_pages,
     progress_page,
     punctuation,
     routes,
@@ -65,21 +47,12 @@ from workbook_site import (
 )
 
 EXTENSIONS = (
-    catalogue,
-    problem_pages,
-    listings,
+    built_files,
     chapter_map,
-    downloads,
     control_problems,
-    common_mistakes,
-    answer_boxes,
     self_tests,
     progress_page,
     routes,
-    folding,
-    figures,
-    explorers,
-    cell_output,
     punctuation,
     numbering,
     uses,
@@ -99,6 +72,7 @@ EXTENSIONS = (
 def setup(app):
     # document trees live on: garbage collection in them takes a seventh of a build
     gc.set_threshold(GC_THRESHOLD)
+    app.setup_extension("workbook.site")
     for extension in EXTENSIONS:
         extension.setup(app)
     return {

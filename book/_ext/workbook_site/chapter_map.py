@@ -14,8 +14,8 @@ from pathlib import Path
 from bs4 import BeautifulSoup
 from docutils import nodes
 
-from workbook_site import catalogue
-from workbook_site.listings import Listing
+from workbook.site import catalogue
+from workbook.site.listings import Listing
 from workbook_site.tiles import is_wide, picture_of
 
 LINE = re.compile(r"^- \[.*?\]\((?P<page>ch\d+/\w+)\.md\)(?P<about>.*)$", re.M)

@@ -12,7 +12,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from trajlib.pontryagin import problems
 from trajlib.pontryagin.problem.presentation import problem_markdown
-from workbook_site.downloads import link
+from workbook.site.downloads import link
 
 #: The data file, in the package and from the root of the site.
 DATA, FILE = files("trajlib.pontryagin") / "problems.json", "book/ch5/optimal_control_problems.json"

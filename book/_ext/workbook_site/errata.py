@@ -10,7 +10,7 @@ import re
 from docutils import nodes
 from sphinx.transforms import SphinxTransform
 
-from workbook_site import catalogue
+from workbook.site import catalogue
 
 PAGE = re.compile(r"book/errata/ch\d+")
 CORRECTED = "This edition has the statement as corrected."

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from jupyter_cache import get_cache
 
+from workbook import site
+
 
 def digest(folder, pattern="**/*"):
     """Return one hash of all files below a folder."""
@@ -21,7 +23,7 @@ def digest(folder, pattern="**/*"):
     return combined.hexdigest()
 
 
-EXTENSION = digest(Path(__file__).parent, "*.py")
+EXTENSION = "".join(digest(Path(file).parent, "*.py") for file in (__file__, site.__file__))
 
 
 def _configure(app, config):

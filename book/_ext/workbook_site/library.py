@@ -7,8 +7,8 @@ import re
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
+from workbook.site.problem_pages import to_label
 from workbook_site.docstrings import parse, spans
-from workbook_site.problem_pages import to_label
 from workbook_site.uses import label_of, public_names, used_in
 
 LETTER = re.compile(r"^( *)([A-Za-z]\.(?: |$))")

@@ -8,8 +8,8 @@ of workbook.js is on. The directive {fold} holds what is worth reading, under it
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from workbook_site.folding import details, summary
-from workbook_site.problem_pages import to_label
+from workbook.site.folding import details, summary
+from workbook.site.problem_pages import to_label
 
 
 class PrintedRole(SphinxRole):

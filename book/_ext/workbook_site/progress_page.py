@@ -8,10 +8,10 @@ import posixpath
 
 from docutils import nodes
 
-from workbook_site import catalogue
-from workbook_site.answer_boxes import add_static_script
+from workbook.site import catalogue
+from workbook.site.answer_boxes import add_static_script
+from workbook.site.listings import Listing
 from workbook_site.chapter_map import sections_of
-from workbook_site.listings import Listing
 
 
 class progress(nodes.General, nodes.Element):

@@ -14,9 +14,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from workbook.routes.course import course
 from workbook.routes.spacing import self_tests
-from workbook_site.folding import details, summary
-from workbook_site.listings import Listing
-from workbook_site.problem_pages import to_label, to_page
+from workbook.site.folding import details, summary
+from workbook.site.listings import Listing
+from workbook.site.problem_pages import to_label, to_page
 from workbook_site.self_tests import question_label
 
 FILE = "book/routes.toml"

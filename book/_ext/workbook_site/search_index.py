@@ -18,9 +18,9 @@ from sphinx import addnodes
 from sphinx_exercise.nodes import solution_node
 from sphinx_proof.nodes import proof_node
 
-from workbook_site import catalogue
-from workbook_site.folding import details
-from workbook_site.problem_pages import topic_label
+from workbook.site import catalogue
+from workbook.site.folding import details
+from workbook.site.problem_pages import topic_label
 
 #: Parts of a page that are neither searched nor quoted.
 SKIPPED = (

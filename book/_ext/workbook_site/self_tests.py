@@ -31,8 +31,8 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from workbook_site.answer_boxes import Box, add_script, answer_box, version_of
-from workbook_site.folding import details, summary
+from workbook.site.answer_boxes import Box, add_script, answer_box, version_of
+from workbook.site.folding import details, summary
 
 BLOCK = re.compile(r"^:::\{self-test\}\n(.*?)^:::$", re.M | re.S)
 CODE = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)

@@ -16,9 +16,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import PACKAGES
-from workbook_site import catalogue
+from workbook.site import catalogue
+from workbook.site.problem_pages import to_label, to_page
 from workbook_site.errata import is_cut
-from workbook_site.problem_pages import to_label, to_page
 
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
 OPTION = re.compile(r"^:[\w-]+:.*$", re.M)

@@ -59,6 +59,7 @@ class Page {
 
   // The notebook ----------------------------------------------------------------------------------------------------------
 
+  /** The notebook; with it come its sealed mistakes, `window.workbookMistakes`. */
   async notebook() {
     if (!window.workbookNotebook) await loadScript(settings.notebook);
     return window.workbookNotebook;

@@ -33,7 +33,8 @@ export async function start(onProgress) {
 /** Run the cells of a box, [{name, source}], and its check: {result, error} as `workbook.page.run_cell` and the engine return
     them. */
 export async function runCell(cells, check) {
-  const run = await (await engine()).runCell(cells.map(({ source }) => source), check, "", LIMIT, cells.map(({ name }) => name ?? ""));
+  const names = cells.map(({ name }) => name ?? "");
+  const run = await (await engine()).runCell(cells.map(({ source }) => source), check, "", LIMIT, names, window.workbookMistakes);
   if (run.result?.patches) stop(); // the next run has the modules as they were
   return run;
 }

@@ -1,4 +1,4 @@
-/* What the build says about a page: the attributes of the script that it adds to it (workbook_site/answer_boxes.py). */
+/* What the build says about a page: the attributes of the script that it adds to it (workbook/site/answer_boxes.py). */
 
 const script = document.currentScript;
 

@@ -61,8 +61,8 @@ async function execute(code, seconds) {
 }
 
 // Run the cells above a check and the check itself: `workbook.page.run_cell`.
-function runCell(cells, check, problem = "", seconds = SECONDS, names = []) {
-  const text = JSON.stringify(JSON.stringify([cells, check, problem, names]));
+function runCell(cells, check, problem = "", seconds = SECONDS, names = [], sealed = {}) {
+  const text = JSON.stringify(JSON.stringify([cells, check, problem, names, sealed]));
   return run(`import json\nfrom workbook.page import run_cell\nresult = run_cell(*json.loads(${text}))`, seconds);
 }
 

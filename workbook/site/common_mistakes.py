@@ -12,8 +12,8 @@ from docutils import nodes
 from trajlib.typesetting import plain, typeset
 from workbook.checks.contract.reporting import as_html
 from workbook.checks.contract.verdict import WRONG, Verdict
-from workbook_site import catalogue
-from workbook_site.folding import details, summary
+from workbook.site import catalogue
+from workbook.site.folding import details, summary
 
 FOLDER = "_build/mistakes"
 CAPTION = "The point of the verdict, with the region of this answer and the right one (hatched)."

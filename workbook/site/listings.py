@@ -6,8 +6,8 @@ from itertools import groupby
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from workbook_site import catalogue
-from workbook_site.problem_pages import to_page, topic_label
+from workbook.site import catalogue
+from workbook.site.problem_pages import to_page, topic_label
 
 
 class Listing(SphinxDirective):

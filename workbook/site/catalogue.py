@@ -1,10 +1,9 @@
 """The problems of the edition that is being built.
 
 A problem's page is its master, solutions/ch1/p15.md, or in the student edition the notebook
-exercises/ch1/p15.ipynb. The table of contents alone decides which of the two is built.
+exercises/ch1/p15.ipynb. What the site includes decides which of the two is built.
 """
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,8 +13,9 @@ from workbook.authoring import MasterError
 from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.study_time import minutes, study_time
 from workbook.notebooks import exercises
+from workbook.numbering import number_of_file, read_number
 
-PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
+FOLDERS = ("solutions", "exercises")
 
 
 @dataclass(frozen=True)
@@ -35,16 +35,16 @@ class Problem:
 
     @property
     def order(self):
-        return tuple(int(part) for part in self.number.split("."))
+        return read_number(self.number).order
 
     @property
     def chapter(self):
-        return self.number.split(".")[0]
+        return read_number(self.number).chapter
 
     @property
     def label(self):
         """Return the label of its exercise, ex-1-15."""
-        return "ex-" + self.number.replace(".", "-")
+        return "ex-" + read_number(self.number).label
 
     @property
     def notebook(self):
@@ -84,6 +84,11 @@ def read(page, path):
     )
 
 
+def _is_problem(page):
+    folder, _, file = page.partition("/")
+    return folder in FOLDERS and file.count("/") == 1 and number_of_file(file) is not None
+
+
 def _varies(root, page):
     """Return whether the problem of a page has rows of numbers, which its trials hold."""
     trials = root / f"{page.replace('exercises/', 'solutions/', 1)}.trials.py"
@@ -112,9 +117,7 @@ def _answer(answer):
 
 def _load(app, env, added, changed, removed):
     """Read all problems before any page; return the pages that list problems if one changed."""
-    found = [
-        read(page, env.doc2path(page)) for page in sorted(env.found_docs) if PAGE.fullmatch(page)
-    ]
+    found = [read(page, env.doc2path(page)) for page in sorted(env.found_docs) if _is_problem(page)]
     previous = getattr(env, "workbook_catalogue", {})
     env.workbook_catalogue = {
         problem.page: problem for problem in sorted(found, key=lambda problem: problem.order)

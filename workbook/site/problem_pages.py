@@ -21,9 +21,9 @@ from workbook.authoring.contract import item_of, plural_kind
 from workbook.authoring.plain_markdown import SENTENCE_END
 from workbook.authoring.student_notebook import core_text
 from workbook.notebooks import exercises
-from workbook_site import catalogue
-from workbook_site.downloads import colab_links, link
-from workbook_site.folding import details, summary
+from workbook.site import catalogue
+from workbook.site.downloads import colab_links, link
+from workbook.site.folding import details, summary
 
 logger = logging.getLogger(__name__)
 
@@ -66,7 +66,7 @@ def _student_page(source, head):
                 cell["source"] = cell["source"].replace(
                     f"attachment:{name}", f"data:{form};base64,{picture}"
                 )
-    texts[0]["source"] = f"{head}\n:::{{div}} origin\n{texts[0]['source']}\n:::"
+    texts[0]["source"] = f"{head}\n:::{{container}} origin\n{texts[0]['source']}\n:::"
     return json.dumps(notebook)
 
 
@@ -282,9 +282,15 @@ def _name_labels(app, document):
             labels.labels[name] = page, anchor, f"solution of problem {problem.number}"
 
 
+def _without_index(app, env, reference, content):
+    """Show a topic without a link on a site that has no index by topic."""
+    return content if "topic" in content.get("classes", ()) else None
+
+
 def setup(app):
     app.connect("source-read", _complete)
     app.connect("doctree-read", _name_labels, priority=900)
+    app.connect("missing-reference", _without_index)
     app.add_directive("problem-head", ProblemHead)
     app.add_directive("problem-answers", ProblemAnswers)
     app.add_post_transform(AnswersBesideItems)

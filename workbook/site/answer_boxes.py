@@ -1,6 +1,6 @@
 """A box before each check cell, in which a reader types answers and has them checked.
 
-A page holds its boxes hidden, with the stubs of the student's notebook, and `book/answer_boxes`
+A page holds its boxes hidden, with the stubs of the student's notebook, and `static/answer_boxes`
 shows them; without scripts, on paper and without the engine (Python in WebAssembly, `run/`) a page
 is as it is without boxes. The boxes are the answer cells of the notebook: what is typed goes into
 it unchanged, and the verdict is the grader's. `{try-answer}` shows a box of a problem on another page.
@@ -11,6 +11,7 @@ import hashlib
 import json
 import posixpath
 import re
+import shutil
 from dataclasses import dataclass
 from html import escape
 
@@ -21,13 +22,13 @@ from sphinx.util.docutils import SphinxDirective
 from workbook.authoring.student_notebook import STEPS_TEXT
 from workbook.checks.contract.check_cells import reported_names
 from workbook.checks.contract.former_names import with_former_names
-from workbook_site import catalogue
-from workbook_site.downloads import served_notebook
-from workbook_site.folding import details, solution_of, summary
+from workbook.mistakes import read_sealed
+from workbook.site import catalogue
+from workbook.site.downloads import served_notebook
+from workbook.site.folding import details, solution_of, summary
 
 #: The folder of the engine below the site's root, and its script.
 RUN, ENGINE = "run", "engine.js"
-STATIC = "book/answer_boxes/static"
 STUB = re.compile(r"^(\w+) = \.\.\.", re.M)
 DIGITS = 12
 
@@ -234,8 +235,6 @@ def _other_rows(app, problem):
 
 def _find_engine(app, config):
     config.workbook_engine_found = (app.srcdir / config.workbook_engine / ENGINE).exists()
-    if config.workbook_engine_found:
-        config.html_static_path.append(STATIC)
 
 
 def _add_scripts(app, page, template, context, doctree):
@@ -285,23 +284,39 @@ def add_script(app, page, notebook, **attributes):
 
 
 def _write_notebooks(app, exception):
-    """Write each notebook as a script too, which pages opened as files can load."""
+    """Write each notebook as a script too, with its mistakes, which pages opened as files can load."""
     if exception is not None or app.builder.format != "html":
         return
     for problem in catalogue.of(app.env).values():
         script = app.outdir / f"{problem.notebook}.js"
         if app.config.workbook_engine_found:
             script.parent.mkdir(parents=True, exist_ok=True)
-            text = json.dumps(_notebook(app, problem), ensure_ascii=False)
-            script.write_text(f"window.workbookNotebook = {text};\n", encoding="utf-8")
+            sealed = {problem.number: read_sealed(app.srcdir / problem.notebook)}
+            script.write_text(
+                f"window.workbookNotebook = {_as_json(_notebook(app, problem))};\n"
+                f"window.workbookMistakes = {_as_json(sealed)};\n",
+                encoding="utf-8",
+            )
             if rows := _other_rows(app, problem):
                 for row in rows.values():
                     row["notebook"] = in_order_of_boxes(row["notebook"])
-                text = json.dumps(rows, ensure_ascii=False)
                 script = app.outdir / f"{problem.notebook.removesuffix('ipynb')}again.js"
-                script.write_text(f"window.workbookRows = {text};\n", encoding="utf-8")
+                script.write_text(f"window.workbookRows = {_as_json(rows)};\n", encoding="utf-8")
         else:
             script.unlink(missing_ok=True)
+
+
+def _as_json(value):
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _copy_engine(app, exception):
+    """Copy the engine into the site, in place of the one that was there."""
+    if exception is not None or app.builder.format != "html":
+        return
+    shutil.rmtree(app.outdir / RUN, ignore_errors=True)
+    if app.config.workbook_engine_found:
+        shutil.copytree(app.srcdir / app.config.workbook_engine, app.outdir / RUN)
 
 
 def _note_notebook(app, document):
@@ -318,12 +333,13 @@ def _open_box(self, node):
 
 
 def setup(app):
-    # the folder of the engine, where `make` puts it; without one there are no boxes
+    # the folder of the engine, where `workbook page` puts it; without one there are no boxes
     app.add_config_value("workbook_engine", f"_build/{RUN}", "html")
     app.add_config_value("workbook_engine_found", False, "html")
     app.connect("config-inited", _find_engine, priority=100)
     app.connect("html-page-context", _add_scripts)
     app.connect("build-finished", _write_notebooks)
+    app.connect("build-finished", _copy_engine)
     app.connect("doctree-read", _note_notebook)
     app.add_node(answer_box, html=(_open_box, None))
     app.add_directive("try-answer", TryAnswer)

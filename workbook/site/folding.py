@@ -151,7 +151,6 @@ def _close_summary(self, node):
 
 
 def setup(app):
-    app.setup_extension("sphinx_proof")
     app.add_node(unenumerable_node, override=True, html=(_open_statement, _close_statement))
     app.add_node(details, html=(_open_details, _close_details))
     app.add_node(summary, html=(_open_summary, _close_summary))

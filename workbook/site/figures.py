@@ -14,7 +14,7 @@ from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 from workbook.authoring.drawing_cells import alt_text
-from workbook_site import catalogue
+from workbook.site import catalogue
 
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 

@@ -1,0 +1,1 @@
+"""Python for the answer boxes of pages: `pack` writes the folder that a site serves as run/."""
