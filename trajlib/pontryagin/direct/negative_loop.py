@@ -100,7 +100,16 @@ def _may_be_negative(problem):
     return not cost.is_nonnegative
 
 
+def _is_rate(problem):
+    rates = (rate for rate in problem.field if rate != 0)
+    return any(sp.cancel(problem.running / rate).is_number for rate in rates)
+
+
 NEGATIVE_RUNNING_COST = Hypothesis("the running cost may be negative", _may_be_negative)
+# Its integral over a closed trajectory is zero then.
+NO_RATE = Hypothesis(
+    "the running cost is not the rate of a state times a number", lambda p: not _is_rate(p)
+)
 NO_CLOCK = Hypothesis(
     "no state always grows or always falls",
     lambda p: not any(rate.is_positive or rate.is_negative for rate in p.field),
@@ -109,7 +118,7 @@ NEGATIVE_LOOP = Refusal(
     "closed trajectory of negative cost",
     "Repeated before the process ends, it makes the cost fall without bound.",
     "numerical evidence",
-    (NO_TIME_BOUNDS, NO_FIRST_RETURN, NEGATIVE_RUNNING_COST, NO_CLOCK),
+    (NO_TIME_BOUNDS, NO_FIRST_RETURN, NEGATIVE_RUNNING_COST, NO_RATE, NO_CLOCK),
     Unbounded,
     _refuse_negative_loop,
 )
