@@ -14,15 +14,16 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "book" / "_ext"))
 from workbook_site.self_tests import notebook_of, question_of, questions_of  # noqa: E402
 
-#: All sections of these chapters have the frame: aims, self-test, summary, what comes next.
-CHAPTERS_WITH_SELF_TESTS = ("ch1", "ch2", "ch3", "ch4", "ch5")
-#: Pages of these chapters that have no frame, and why.
-WITHOUT_FRAME = {"ch5/test_problems": "a table made from the records of the library, no theory"}
+#: Pages that have no frame (aims, self-test, summary, what comes next), and why.
+WITHOUT_FRAME = {
+    "ch5/test_problems": "a table made from the records of the library, no theory",
+    "ch8/figures": "figures of the paper computed again, no theory",
+    "ch9/figures": "figures of the paper computed again, no theory",
+}
 SECTIONS = [
     path
-    for chapter in CHAPTERS_WITH_SELF_TESTS
-    for path in (ROOT / "book" / chapter).glob("*.md")
-    if f"{chapter}/{path.stem}" not in WITHOUT_FRAME
+    for path in sorted((ROOT / "book").glob("ch*/*.md"))
+    if f"{path.parent.name}/{path.stem}" not in WITHOUT_FRAME
 ]
 #: Pages of worked examples: a whole case, one without its last step, and one as a question.
 FADING = (
@@ -98,7 +99,7 @@ def test_only_pages_that_exist_are_left_out():
 
 
 def test_sections_and_questions_are_counted():
-    assert len(SECTIONS) == 42
+    assert len(SECTIONS) == 54
     for path in SECTIONS:
         text = path.read_text(encoding="utf-8")
         assert len(questions_of(text[text.index("## Self-test") :])) == 3, path.stem
