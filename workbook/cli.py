@@ -121,6 +121,8 @@ def check(
         )
     submitted = exercises.read(notebook)
     pristine = exercises.leaving_to_grading(exercises.find(submitted.number), submitted.kept)
+    if submitted.hides_direction:
+        pristine = exercises.in_homework(pristine)
     if foreign := why_foreign(marks_of(submitted.about), pristine):
         raise UserError(f"{notebook} is not judged: {foreign}")
     sources = pristine.sources_to_run([source for _, source in submitted.cells])

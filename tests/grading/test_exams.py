@@ -14,7 +14,7 @@ from classroom import an_assignment
 from guide import like, steps
 
 from workbook import checks
-from workbook.authoring import read
+from workbook.authoring import read_master
 from workbook.cli import app
 from workbook.grading import commands
 from workbook.grading.course import assignment as assignments
@@ -48,7 +48,7 @@ def cells(path, tag):
 def solve(path, problem):
     """Put the computations of the master into a handed-out notebook, in place of its stubs."""
     document = json.loads(path.read_text(encoding="utf-8"))
-    worked = read(exercises.master_path(problem)).code("answer")
+    worked = read_master(exercises.master_path(problem)).code("answer")
     tags = [cell["metadata"].get("tags", ()) for cell in document["cells"]]
     first = next(k for k, tag in enumerate(tags) if "answer" in tag)
     rest = [cell for cell, tag in zip(document["cells"], tags) if "answer" not in tag]
@@ -64,7 +64,7 @@ def test_the_papers_have_their_marks_and_problems_that_vary():
         assert marks + sum(item["points"] for item in paper.by_hand.values()) == total
         assert sum(map(len, paper.marks.values())) * 6 <= paper.exam.minutes
         for problem in paper.marks:
-            assert read(exercises.master_path(problem)).numbers, f"{problem} does not vary"
+            assert read_master(exercises.master_path(problem)).numbers, f"{problem} does not vary"
         for item in paper.by_hand.values():
             assert item["text"].replace(":", " ").split()[0] in paper.marks
 

@@ -251,3 +251,13 @@ def test_the_command_prints_a_route_and_writes_its_calendar(tmp_path):
         refused = _run(*arguments, cwd=tmp_path)
         assert refused.returncode == 2 and message in refused.stderr, refused.stderr
         assert "Traceback" not in refused.stderr
+
+
+@each_route
+def test_no_lecture_works_out_what_is_homework_in_that_week_or_later(route):
+    asked = set()
+    for week in reversed(route.weeks):
+        asked |= {(task.problem, name) for task in week.homework for name in task.answers}
+        if week.lecture:
+            lecture = _text(f"lectures/{week.lecture}")
+            assert not asked & set(re.findall(r"^%answer (\S+) (\S+)$", lecture, re.M)), week

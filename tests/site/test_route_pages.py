@@ -37,6 +37,7 @@ def test_each_week_links_to_all_that_it_names(pages, route):
             file, anchor = urldefrag(link["href"])
             target = parsed[(path.parent / file).resolve()].find(id=anchor)
             assert "self-test" in target["class"]
+            assert target.get_text().lstrip().startswith(f"Question {question.number}.")
             questions = parsed[(path.parent / file).resolve()].select(".self-test")
             assert questions.index(target) == question.number - 1
 

@@ -267,11 +267,7 @@ def _equations(cells, links):
 def _instruction(master):
     time = study_time(master.level, master.answers, master.core)
     core = f" {core_text(master.core)}" if master.core else ""
-    return new_markdown_cell(
-        f"*{time.capitalize()}. Replace each `...` by your answer and run the check cell below it: it "
-        f"says what holds and what does not, as often as you like.{core}*",
-        tags=["instruction"],
-    )
+    return new_markdown_cell(exercises.instruction(time, core), tags=["instruction"])
 
 
 def _origin(master, equations):

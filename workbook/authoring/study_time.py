@@ -27,6 +27,11 @@ def minutes(level, answers):
     return SET_UP + math.ceil(MINUTES[level] * (min(answers, WHOLE) + max(answers - WHOLE, 0) / 2))
 
 
+def rounded_minutes(level, answers):
+    """Return these minutes as routes and homework give them, to five minutes."""
+    return 5 * round(minutes(level, answers) / 5)
+
+
 def study_time(level, answers, core=()):
     """Return the time in words; with `core` items, the time for these and for all."""
     total = _in_words(minutes(level, len(answers)))

@@ -66,6 +66,11 @@ class Exercise:
             else []
         )
 
+    @property
+    def hides_direction(self):
+        """Whether its check cells are those of a homework that does not say too great or too small."""
+        return any(HIDING in source for _, source in self.code("check"))
+
     def code(self, *roles):
         """Return (role, source) of the code cells with one of the roles, in order."""
         return [(role, source) for role, source in self.cells if role in roles]
@@ -168,6 +173,14 @@ def leaving_to_grading(exercise, kept):
             (role, keeping_for_grading(source, kept) if role == "check" else source)
             for role, source in exercise.cells
         ),
+    )
+
+
+def instruction(time, rest=""):
+    """Return the text below the statement: how long it takes, what to do, and `rest`."""
+    return (
+        f"*{time.capitalize()}. Replace each `...` by your answer and run the check cell below it: it "
+        f"says what holds and what does not, as often as you like.{rest}*"
     )
 
 

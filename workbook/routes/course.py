@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 
 from workbook.authoring.contract import item_of
-from workbook.authoring.study_time import minutes
+from workbook.authoring.study_time import rounded_minutes
 from workbook.course import PACKAGE, WORKBOOK
 from workbook.notebooks import exercises
 
@@ -80,7 +80,7 @@ class Task:
     def minutes(self):
         """Estimated minutes by the rule of `study_time`, to five minutes."""
         level = exercises.find(self.problem).about["level"]
-        return 5 * round(minutes(level, len(self.answers)) / 5)
+        return rounded_minutes(level, len(self.answers))
 
     def __str__(self):
         return " ".join((self.problem, ", ".join(self.items))).strip()

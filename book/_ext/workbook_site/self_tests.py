@@ -150,7 +150,7 @@ class SelfTest(SphinxDirective):
         return [
             nodes.container(
                 "",
-                *self.parse_text_to_nodes(question.text),
+                *self.parse_text_to_nodes(f"**Question {number}.** {question.text}"),
                 answer_box(page=page, box=box),
                 fold,
                 ids=[label],

@@ -34,15 +34,17 @@ def stability_from_motions(flow):
             "unstable",
             f"a motion that starts at distance {RADIUS} from zero leaves the ball of radius 1",
         )
+    steady = max(-low, high) < 1e-5
+    change = "less than 0.001" if steady else f"{100 * low:.2g} to {100 * high:.2g}"
     reason = (
-        f"in motions that start at distance {RADIUS} the amplitude changes by {100 * low:.2g} to "
-        f"{100 * high:.2g} per cent from half the time {DURATION:g} to the whole"
+        f"in motions that start at distance {RADIUS} the amplitude changes by {change} per cent "
+        f"from half the time {DURATION:g} to the whole"
     )
     if low > 1e-4:
         return "unstable", reason
     if high < -1e-4:
         return "asymptotically stable", reason
-    if max(-low, high) < 1e-5:
+    if steady:
         return "stable", reason
     raise RuntimeError(f"motions near zero do not decide: {reason}")
 

@@ -287,8 +287,8 @@ def _judge_change(claim, pair, row_names, by_rows):
                 return (
                     f"z has to be xi1 alone{where}, so the first row of T times x has to be z"
                     if by_rows
-                    else f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last column is "
-                    "not free"
+                    else f"the control has to enter xi{n}' alone, with the coefficient 1, which determines the last "
+                    f"column{where}"
                 ) + f"; the entry {j + 1} of yours does not fit"
             previous, current, alpha = row_names[k - 1], row_names[k], f"alpha_{n + 1 - k}"
             if by_rows:

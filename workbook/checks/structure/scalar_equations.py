@@ -209,7 +209,7 @@ class _LinearEquation:
                 raise Wrong(
                     f"without control your equation is right{where}, but {u} has the wrong "
                     f"coefficient; in the form (2.4) {u} enters the last equation with the "
-                    f"coefficient 1, and {y} is the first coordinate of that form, no multiple"
+                    f"coefficient 1, and {y} is the first coordinate of that form and no multiple of it"
                 )
         random, unforced = np.random.default_rng(220), failing[0] < n
         for _ in range(20):

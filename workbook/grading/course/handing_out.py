@@ -11,6 +11,7 @@ import shutil
 from pathlib import Path
 
 from workbook.authoring.contract import item_of
+from workbook.authoring.study_time import rounded_minutes
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import exams
 from workbook.grading.course.assignment import BY_HAND, POOL, AssignmentError
@@ -172,6 +173,8 @@ def release(homework, variant, site=""):
         if "check" in cell["metadata"].get("tags", ()):
             source = exercises.keeping_for_grading("".join(cell["source"]), kept)
             cell["source"] = source if homework.direction else exercises.hiding_direction(source)
+        if "instruction" in cell["metadata"].get("tags", ()):
+            cell["source"] = instruction(homework, problem) or cell["source"]
     if homework.exam:
         exams.make_exam(notebook, homework, problem)
     if site := exercises.home_of(variant).site or site:
@@ -181,6 +184,20 @@ def release(homework, variant, site=""):
             notebook, lambda page: to_site(re.sub("^solutions/", "exercises/", page))
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+
+
+def instruction(homework, problem):
+    """Return the text below the statement where it is not that of practice, otherwise None."""
+    points = homework.points[problem]
+    asked = [name for name, worth in points.items() if worth]
+    if homework.exam:
+        return exams.instruction(homework, problem)
+    if len(asked) == len(points):
+        return None
+    time = rounded_minutes(exercises.find(problem).about["level"], len(asked))
+    return exercises.instruction(
+        f"about {time} min for the answers of {_items(asked)}, which count here; the others are practice"
+    )
 
 
 def due_date(text):
@@ -318,8 +335,11 @@ def _entry(problem, points):
     )
     if count == len(points):
         return text
-    items = ", ".join(sorted({item_of(name) for name in asked}))
-    return f"{text}, those of {items}; the others are practice"
+    return f"{text}, those of {_items(asked)}; the others are practice"
+
+
+def _items(names):
+    return ", ".join(sorted({item_of(name) for name in names}))
 
 
 def _kept(homework):

@@ -3,7 +3,7 @@
 from functools import cache
 from pathlib import Path
 
-from workbook.grading.course import exams
+from workbook.grading.course import handing_out
 from workbook.grading.sandbox import submitted_file
 from workbook.grading.sandbox.sanitising import normalise_name
 from workbook.notebooks import exercises
@@ -29,18 +29,17 @@ def read(submitted, assignment):
             except (OSError, submitted_file.UnreadableFileError):
                 continue
             number = number or number_of_name(path.stem)
-            pristine = _pristine(number) | _of_exam(assignment, str(number).partition("~")[0])
+            pristine = _pristine(number) | _handed_out(assignment, str(number).partition("~")[0])
             own = [text for cell, text in cells if cell not in pristine]
             if own:
                 texts.setdefault(student, []).append((path.name, own))
     return texts
 
 
-def _of_exam(assignment, problem):
-    """Return the hash of the text that only the notebooks of an exam have."""
-    if assignment.exam is None or problem not in assignment.problems:
-        return frozenset()
-    return frozenset({submitted_file.text_hash(exams.instruction(assignment, problem))})
+def _handed_out(assignment, problem):
+    """Return the hash of the text that only the notebooks of this homework or exam have."""
+    text = problem in assignment.problems and handing_out.instruction(assignment, problem)
+    return frozenset({submitted_file.text_hash(text)} if text else ())
 
 
 @cache
