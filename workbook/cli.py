@@ -111,6 +111,7 @@ def check(
     timeout: Annotated[float, typer.Option(help="Seconds that the notebook may run.")] = 120,
 ):
     """Run your notebook and judge its answers. The exit code is 0 if all are right, otherwise 1."""
+    from workbook.checks.course_checks import own_checks
     from workbook.notebooks.execution import EndedEarly, TimeLimit, judge, run_notebook
 
     if not notebook.exists() and read_number(notebook):
@@ -123,6 +124,7 @@ def check(
     pristine = exercises.leaving_to_grading(exercises.find(submitted.number), submitted.kept)
     if submitted.hides_direction:
         pristine = exercises.in_homework(pristine)
+    own_checks(exercises.home_of(pristine.number))  # raises `CourseError` if they cannot be used
     if foreign := why_foreign(marks_of(submitted.about), pristine):
         raise UserError(f"{notebook} is not judged: {foreign}")
     sources = pristine.sources_to_run([source for _, source in submitted.cells])

@@ -83,6 +83,12 @@ class Course:
         return self.folder / "exercises"
 
     @property
+    def checks(self):
+        """The file of its own checks, None without such."""
+        file = self.folder / "checks.py"
+        return file if file.is_file() else None
+
+    @property
     def variants(self):
         """The folder of the notebooks of variants."""
         return self.folder / "variants"
@@ -121,6 +127,8 @@ class Course:
 
 class _Workbook(Course):
     """The workbook's own problems: in a checkout with their masters, in a wheel without."""
+
+    checks = None  # they are in `workbook.checks`
 
     @property
     def exercises(self):

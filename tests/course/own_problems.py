@@ -1,4 +1,12 @@
-"""Problems of a course of one's own, made of what `workbook new` writes: a subspace, and an optimal control."""
+"""Problems of a course of one's own, made of what `workbook new` writes.
+
+They ask for a subspace, an optimal control, and a number that a check in `checks.py` judges.
+"""
+
+import re
+from pathlib import Path
+
+GUIDE = Path(__file__).resolve().parents[2] / "book" / "guides" / "own_course.md"
 
 SUBSPACE_PAGE = {
     "PLACEHOLDER title of problem robotics.2": "Unobservable states of two joints",
@@ -58,6 +66,28 @@ a_control = 6*L*t  # Is the carriage at rest at the end? (hint 1)
 # %% right
 a_control = [[6*L*(1 - 2*t), 1]]  # as one arc
 """
+REACH_PAGE = {
+    "PLACEHOLDER title of problem robotics.4": "Nearest position of an arm with two links",
+    "condition: PLACEHOLDER the real $k$ for which the zero solution is asymptotically stable": (
+        "number: the least distance of the hand from the base"
+    ),
+    "a_region": "a_least",
+    "PLACEHOLDER What signs do the coefficients have?": "How far is the hand if the arm is folded?",
+    "Find where the zero solution is asymptotically stable:": "How near does the hand come to the base?",
+    "\\quad\\ddot x + k\\dot x + x = 0.": "\\quad l_1 = 5,\\ l_2 = 3",
+    'k, s = sp.symbols("k s", real=True)\na_poly = s**2 + k*s + 1': "lengths = [5, 3]",
+    "a_least = k > 0": "a_least = 5 - 3",
+    "checks.stability_region(a_least, a_poly, [k])": "checks.least_reach(a_least, lengths)",
+    "PLACEHOLDER": "",
+}
+REACH_TRIALS = """\
+# %% wrong
+a_least = 8  # Is the arm stretched or folded? (hint 1)
+
+# %% right
+a_least = sp.sqrt(4)  # as a root
+"""
+REACH = (REACH_PAGE, REACH_TRIALS)
 SUBSPACE, CONTROL = (SUBSPACE_PAGE, SUBSPACE_TRIALS), (CONTROL_PAGE, CONTROL_TRIALS)
 
 
@@ -69,3 +99,9 @@ def fill_in(page, trials, texts, trials_text):
         text = text.replace(old, new)
     page.write_text(text, encoding="utf-8")
     trials.write_text(trials_text, encoding="utf-8")
+
+
+def checks_of_the_guide():
+    """Return the `checks.py` that the guide shows."""
+    [block] = re.findall(r"```python\n(# checks\.py\n.*?)```", GUIDE.read_text("utf-8"), re.S)
+    return block

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from chromium import browser  # noqa: F401
 from engine_page import QuietHandler
-from own_problems import CONTROL, SUBSPACE, fill_in
+from own_problems import CONTROL, REACH, SUBSPACE, checks_of_the_guide, fill_in
 from selenium.webdriver.common.keys import Keys
 
 pytestmark = [pytest.mark.waits, pytest.mark.slow]
@@ -172,13 +172,18 @@ REGIONS = {
 
 
 def follow_the_guide(environment, tmp_path):
-    """Run the lines of the guide on courses, with two more problems; return the site."""
+    """Run the lines of the guide on courses, with its check and three more problems; return the site."""
     folder, printed = tmp_path, ""
     guide = (ROOT / "book" / "guides" / "own_course.md").read_text(encoding="utf-8")
     for command, *arguments in map(shlex.split, re.findall(r"^\$ (.+)", guide, re.M)):
         if command == "cd":
             folder /= arguments[0]
-            for number, problem in ("robotics.2", SUBSPACE), ("robotics.3", CONTROL):
+            (folder / "checks.py").write_text(checks_of_the_guide(), encoding="utf-8")
+            for number, problem in (
+                ("robotics.2", SUBSPACE),
+                ("robotics.3", CONTROL),
+                ("robotics.4", REACH),
+            ):
                 written = environment.run("workbook", "new", number, cwd=folder).stdout
                 fill_in(*(folder / name for name in written.splitlines()[:2]), *problem)
             continue
@@ -191,7 +196,7 @@ def follow_the_guide(environment, tmp_path):
                 sent.write_text(text.replace("a_region = ...", f"a_region = {region}"))
         printed += environment.run(command, *arguments, cwd=folder, timeout=600).stdout
     assert "robotics.1: proved" in printed and "4 of 4 rows proved" in printed
-    assert environment.run("workbook", "prove", cwd=folder).stdout.count(": proved") == 3
+    assert environment.run("workbook", "prove", cwd=folder).stdout.count(": proved") == 4
     for student, (_, told) in REGIONS.items():
         page = folder / "graded" / "hw1" / "feedback" / f"{student}.html"
         assert told in page.read_text(encoding="utf-8")

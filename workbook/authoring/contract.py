@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from workbook.authoring.errors import MasterError
 from workbook.authoring.statements import assigned_names
 from workbook.checks.contract.check_cells import reported_names
+from workbook.course import course_of
 from workbook.numbering import number_of_file, read_number
 
 TYPES = (
@@ -179,7 +180,7 @@ def validate_code(master, lines):
     # a check of one's own
     data |= {node.name for cell in cells["data"] for node in _nodes(cell, ast.FunctionDef)}
     for cell in cells["check"]:
-        _validate_names(master.path, cell, {"checks", *data, *master.answers})
+        _validate_names(master, cell, {"checks", *data, *master.answers})
 
 
 def validate_drawings(master):
@@ -245,15 +246,20 @@ def _validate_once(master, lines, rule, uses):
             )
 
 
-def _validate_names(path, cell, allowed_names):
+def _validate_names(master, cell, allowed_names):
     """Validate that the checks and the names in a check cell exist."""
     from workbook import checks  # reads the names of all checks
+    from workbook.checks.course_checks import own_checks
 
-    check_names = [*dir(checks), *(f"research.{name}" for name in dir(checks.research))]
+    check_names = [
+        *dir(checks),
+        *(f"research.{name}" for name in dir(checks.research)),
+        *own_checks(course_of(master.number)),
+    ]
     for node in _nodes(cell, ast.Name):
         if node.id not in allowed_names:
             raise MasterError(
-                path,
+                master.path,
                 cell.line + node.lineno - 1,
                 f"{node.id} is neither an answer nor a name of a data cell{suggestion(node.id, allowed_names)}",
             )
@@ -263,7 +269,7 @@ def _validate_names(path, cell, allowed_names):
             name = called.removeprefix("checks.")
             if name not in check_names:
                 raise MasterError(
-                    path,
+                    master.path,
                     cell.line + node.lineno - 1,
                     f"there is no check {name}{suggestion(name, check_names)}",
                 )

@@ -1,9 +1,11 @@
 """Checks of answers: they judge the defining property, never a stored answer.
 
-`checks.report(name=checks.stability_region(name, ...))` is the last line of every check cell.
+`checks.report(name=checks.stability_region(name, ...))` is the last line of every check cell. Besides
+the checks listed here it calls those in the `checks.py` of the course that is here (`course_checks`).
 """
 
 import sys
+from importlib.util import find_spec
 
 from trajlib._lazy import lazy_names
 from workbook.checks import research as research  # `checks.research.*`, lazy itself
@@ -205,8 +207,23 @@ _present, __dir__, __all__ = lazy_names(
 )
 
 
+def is_of_workbook(name):
+    """Return whether a name is of this package, so that no check of a course's own may have it."""
+    return (
+        name.startswith("_")
+        or name in {*__dir__(), *FORMER}
+        or find_spec(f"{__name__}.{name}") is not None  # asked for by `from workbook.checks import`
+    )
+
+
 def __getattr__(name):
-    return former_check(name, _present) if name in FORMER else _present(name)
+    if name in FORMER:
+        return former_check(name, _present)
+    if is_of_workbook(name):
+        return _present(name)
+    from workbook.checks.course_checks import own_check  # few notebooks need one
+
+    return own_check(name)
 
 
 # The first data or check cell of a notebook that runs imports this package: from then on its cells

@@ -1,4 +1,4 @@
-'''Names for checks of one's own: a lecturer's check in a data cell or in a module of a course.
+'''Names for checks of one's own, in `checks.py` of a course or in a data cell.
 
 A check is a function of the answer and of data. `judged` turns it into one that always returns a
 verdict, whatever a student has assigned:

@@ -13,6 +13,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from workbook.checks.course_checks import own_checks
 from workbook.course import pinned
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import (
@@ -119,6 +120,7 @@ def grade_course(options):
     console = Console(stderr=True, quiet=options.quiet, soft_wrap=True, emoji=False)
     if (home := pinned()) is not None:
         console.print(f"course: {home.title} ({home.folder})", markup=False)
+        own_checks(home)  # raises `CourseError` if they cannot be used
     # A roster or folder that cannot be used is an error before an hour of grading, not after it.
     roster = canvas.read_roster(options.roster) if options.roster is not None else None
     expected = _expected(roster, options.submitted)

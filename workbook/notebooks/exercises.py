@@ -16,6 +16,7 @@ from pathlib import Path
 
 from workbook.checks.contract.check_cells import check_calls, marked
 from workbook.checks.contract.former_names import with_former_names
+from workbook.checks.course_checks import own_checks
 from workbook.course import course_of, courses
 from workbook.numbering import NUMBER, files_by_number, read_number
 
@@ -70,6 +71,17 @@ class Exercise:
     def hides_direction(self):
         """Whether its check cells are those of a homework that does not say too great or too small."""
         return any(HIDING in source for _, source in self.code("check"))
+
+    @property
+    def own_checked(self):
+        """Names of answers that checks of the course's own judge (`checks.course_checks`)."""
+        own = own_checks(home_of(self.number))
+        return [
+            name
+            for _, source in (self.code("check") if own else ())
+            for name, call in check_calls(source).items()
+            if call.partition("(")[0].removeprefix("checks.") in own
+        ]
 
     def code(self, *roles):
         """Return (role, source) of the code cells with one of the roles, in order."""

@@ -30,6 +30,9 @@ PRODUCTS = "A product needs its sign: write 4*t, not 4t, and 2*(x + 1), not 2(x 
 DATA_FIRST = "The data cell sets this name: run it first, and again after a restart."
 PREFIX_ITSELF = "The notebook imports SymPy as sp: write sp.cos(x), not sympy.cos(x)."
 PREFIX = "Write sp.{}: the notebook imports SymPy as sp, so its names begin with sp."
+OWN_CHECK = """\
+It is a check of the course's own, which judges where its checks.py is: in the
+folder of the course, and when the homework is graded."""
 #: What the text of an error begins with, and what to write instead.
 HINTS = {
     "cannot determine truth value of Relational": CONDITIONS,
@@ -41,6 +44,7 @@ HINTS = {
     "name 'math' is not defined": FUNCTIONS,
     "name 'sympy' is not defined": PREFIX_ITSELF,
     "name '(sp|checks)' is not defined": DATA_FIRST,
+    r"there is no check \w+ here": OWN_CHECK,
     "invalid decimal literal": PRODUCTS,
     "invalid character '[∧∨¬]'": CONDITIONS,
     "invalid character '≠'": "Python compares with sp.Ne(x, 7); for symbols x != 7 is True at once.",

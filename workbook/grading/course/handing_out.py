@@ -163,15 +163,17 @@ def file_name(problem):
 def release(homework, variant, site=""):
     """Return the text of a student's notebook, whose references are links to `site` if given.
 
-    Its check cells say what the homework wants them to.
+    Its check cells say what the homework wants them to. Students do not have the course's own checks:
+    what these judge is left to the grading.
     """
     notebook = json.loads(exercises.find(variant).path.read_text(encoding="utf-8"))
     problem = variant.partition("~")[0]
     if kept := homework.kept_of(problem):
         notebook["metadata"]["workbook"][exercises.KEPT_NAMES] = kept
+    not_here = [*kept, *exercises.find(variant).own_checked]
     for cell in notebook["cells"]:
         if "check" in cell["metadata"].get("tags", ()):
-            source = exercises.keeping_for_grading("".join(cell["source"]), kept)
+            source = exercises.keeping_for_grading("".join(cell["source"]), not_here)
             cell["source"] = source if homework.direction else exercises.hiding_direction(source)
         if "instruction" in cell["metadata"].get("tags", ()):
             cell["source"] = instruction(homework, problem) or cell["source"]
@@ -346,7 +348,9 @@ def _kept(homework):
     names = [
         f"`{answer}` of {problem}"
         for problem in homework.problems
-        for answer in homework.kept_of(problem)
+        for answer in dict.fromkeys(
+            [*homework.kept_of(problem), *exercises.find(problem).own_checked]
+        )
     ]
     if not names:
         return ""

@@ -47,7 +47,10 @@ def make(folder, name, out):
     course_files = {
         f"{COURSE}/{path}": content
         for home, notebooks in packed.items()
-        for path, content in {FILE: (home.folder / FILE).read_bytes(), **notebooks}.items()
+        for path, content in {
+            **{path.name: path.read_bytes() for path in (home.folder / FILE, home.checks) if path},
+            **notebooks,
+        }.items()
     }
     put_bytes(
         Path(out),
