@@ -289,6 +289,7 @@ def read(folder):
 
 
 def _validate_version(require, versions):
+    # for courses of one's own
     from packaging.specifiers import InvalidSpecifier, SpecifierSet
 
     try:

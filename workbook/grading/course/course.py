@@ -176,7 +176,7 @@ def grade(options, cluster=None, progress=lambda done, total: None, report=lambd
 
 def _require_hidden(*folders):
     """Refuse folders that notebooks can read in the sandbox of Linux."""
-    from workbook.grading.sandbox import isolation
+    from workbook.grading.sandbox import isolation  # for Linux only
 
     for folder in folders:
         if (visible := isolation.visible_parent(folder)) is not None:
@@ -253,7 +253,7 @@ def _early_forkserver(out, needless):
     if needless or (out / "grades.sqlite").exists():
         yield None
         return
-    from workbook.grading.sandbox.forkserver import Forkserver
+    from workbook.grading.sandbox.forkserver import Forkserver  # for Linux only
 
     with closing(Forkserver.start(preloading.ALWAYS)) as forkserver:
         yield forkserver
@@ -273,7 +273,7 @@ def _judgements(pending, turns, count, settings, cluster, forkserver, report):
         return
     count = min(count, len(by_key))
     if report is not None:
-        from workbook.grading.pool import spawned_workers
+        from workbook.grading.pool import spawned_workers  # needs the extra `wasm`
 
         grading = spawned_workers.grade_all(turns, count, settings, report)
     else:
@@ -285,7 +285,7 @@ def _judgements(pending, turns, count, settings, cluster, forkserver, report):
         if cluster is not None:
             grading = cluster.grade_all(turns, settings)
         else:
-            from workbook.grading.pool import worker_pool
+            from workbook.grading.pool import worker_pool  # for Linux only
 
             grading = worker_pool.grade_all(turns, count, settings, forkserver)
     with closing(grading) as results:

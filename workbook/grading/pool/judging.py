@@ -301,7 +301,7 @@ MAX_GROWTH = 2**29
 def _serve(receiver, sender, cells):
     """Judge each request until the pipe closes."""
     if sys.platform == "linux":
-        from workbook.grading.sandbox.system_calls import die_with_parent
+        from workbook.grading.sandbox.system_calls import die_with_parent  # for Linux only
 
         die_with_parent(multiprocessing.parent_process().pid)
     sender.close()  # or the pipe would not end when the parent closes its copy
@@ -333,7 +333,7 @@ def _set_limits(request):
     """Limit what this process may use from now on, where the kernel does that."""
     if sys.platform != "linux":
         return
-    import resource
+    import resource  # Linux has it
 
     memory = _address_space_bytes() + request.megabytes * 2**20
     cpu_time = int(time.process_time() + request.seconds) + 1
@@ -345,7 +345,7 @@ def _address_space_bytes():
     """Return the bytes of address space of this process; 0 where only the parent limits it."""
     if sys.platform != "linux":
         return 0
-    from workbook.grading.sandbox.system_calls import address_space_bytes
+    from workbook.grading.sandbox.system_calls import address_space_bytes  # for Linux only
 
     return address_space_bytes()
 
