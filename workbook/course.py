@@ -297,6 +297,7 @@ def read(folder):
 
 
 def _validate_version(require, versions):
+    # for courses of one's own
     from packaging.specifiers import InvalidSpecifier, SpecifierSet
 
     try:

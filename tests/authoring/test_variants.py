@@ -130,12 +130,12 @@ class _WithData:
 )
 def test_phrases(phrase, text):
     values = {"n": 1, "m": -3, "k": sp.Rational(1, 2), "shown": [phrase]}
-    assert phrases(None, values) == [text]
+    assert phrases(values) == [text]
 
 
 def test_a_coefficient_that_vanishes_is_no_phrase():
     with pytest.raises(NumbersError, match="the coefficient n - 1 is 0"):
-        phrases(None, {"n": 1, "shown": ["«n - 1*»x"]})
+        phrases({"n": 1, "shown": ["«n - 1*»x"]})
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import os
 
 from workbook.checks.contract.verdict import Verdict
 from workbook.grading.course import assignment as assignments
+from workbook.grading.pool.judging import Judgement
 from workbook.notebooks import exercises
 
 #: Right answers of problem 1.15, each in one line (the import is in the notebook's own data cell).
@@ -61,7 +62,7 @@ def graded(
     hashes = {
         name: hashlib.sha256(text.encode()).hexdigest() for name, text in (texts or {}).items()
     }
-    store.record(attempt, exercise, verdicts, texts or {}, [], hashes)
+    store.record(attempt, exercise, Judgement(verdicts, texts or {}, (), hashes=hashes))
     return attempt
 
 

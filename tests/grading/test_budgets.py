@@ -12,6 +12,7 @@ from classroom import RIGHT_1_15, an_assignment, hand_in, notebook, write_assign
 
 from workbook.grading.course import course, submissions
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.course.policy import Budget
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside
@@ -101,7 +102,13 @@ def test_computing_time_of_a_student(tmp_path):
 
     def grade():
         return course.grade(
-            tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, limits
+            GradingOptions(
+                tmp_path / "submitted",
+                tmp_path / "graded",
+                tmp_path / "assignments",
+                1,
+                limits=limits,
+            )
         )
 
     homeworks, plan, failures = grade()

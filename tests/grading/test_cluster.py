@@ -16,6 +16,7 @@ import sys
 import threading
 import time
 from contextlib import closing
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 
@@ -30,8 +31,8 @@ from test_nothing_lost import count, grades, outliving, submit_a_course
 
 from workbook.grading.cluster import connection, coordinator, dask_worker
 from workbook.grading.course import course
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.pool import grader
-from workbook.grading.pool.judging import Bounds
 from workbook.grading.sandbox.limits import Limits, SandboxUnavailableError
 from workbook.grading.sandbox.preloading import ALWAYS
 from workbook.notebooks import exercises
@@ -70,7 +71,7 @@ def submitted(dask):
 def expected(submitted, tmp_path_factory):
     """The grades of one machine."""
     out = tmp_path_factory.mktemp("alone")
-    course.grade(submitted, out, count=2)
+    course.grade(GradingOptions(submitted, out, processes=2))
     return grades(out)
 
 
@@ -193,9 +194,7 @@ def test_all_processes_end_with_the_grader(dask):
         dask.grading_processes()
     )  # a killed grader's processes end by themselves, a little later
     endless = a_task(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
-    with closing(
-        our_cluster(dask).grade_all([a_task(0), endless], grader.to_settings(Limits(), Bounds()))
-    ) as results:
+    with closing(our_cluster(dask).grade_all([a_task(0), endless], grader.Settings())) as results:
         key, result = next(results)
         assert key == 0 and {verdict["status"] for verdict in result["verdicts"].values()} == {
             "right"
@@ -251,7 +250,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
     with pytest.raises(
         SandboxUnavailableError, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
     ):
-        next(our_cluster(dask).grade_all([a_task(0)], grader.to_settings(Limits(), Bounds())))
+        next(our_cluster(dask).grade_all([a_task(0)], grader.Settings()))
     dask.remove(worker)
 
 
@@ -362,7 +361,8 @@ def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
     )
     path.write_text(json.dumps(notebook))
     course.grade(
-        tmp_path / "submitted", tmp_path / "out", cluster=our_cluster(dask), trusting=trusting
+        GradingOptions(tmp_path / "submitted", tmp_path / "out", trusting=trusting),
+        cluster=our_cluster(dask),
     )
     with closing(sqlite3.connect(tmp_path / "out" / "grades.sqlite")) as database:
         ((answers, verdicts, remarks),) = database.execute(
@@ -488,7 +488,7 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
     ):
         next(
             files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem").grade_all(
-                [a_task(0)], grader.to_settings(Limits(), Bounds())
+                [a_task(0)], grader.Settings()
             )
         )
 
@@ -501,11 +501,7 @@ def test_no_server_at_the_address(monkeypatch, seconds):
         connection.ClusterError,
         match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused",
     ):
-        next(
-            coordinator.Cluster("tcp://127.0.0.1:1").grade_all(
-                [a_task(0)], grader.to_settings(Limits(), Bounds())
-            )
-        )
+        next(coordinator.Cluster("tcp://127.0.0.1:1").grade_all([a_task(0)], grader.Settings()))
 
 
 def test_another_server_at_the_address(tmp_path):
@@ -594,14 +590,14 @@ def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
     """The kernel's death signal comes when the thread that started the child ends."""
     monkeypatch.setattr(dask_worker, "_require_same_library", lambda expected: None)
     monkeypatch.setattr(dask_worker, "_require_hidden_files", lambda: None)
-    settings = json.dumps(
-        grader.to_settings(Limits(), Bounds())
-        | {"run": "x", "library": {}, "workers": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
+    settings = grader.Settings(modules={"notebooks": ALWAYS, "checks": []})
+    order = json.dumps(
+        {"run": "x", "library": {}, "workers": 1, "settings": asdict(settings)}
     ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
-        assert lasting.submit(dask_worker.prepare, settings).result() == b"{}"
+        assert lasting.submit(dask_worker.prepare, order).result() == b"{}"
         (worker,) = dask_worker._all
-        passing = threading.Thread(target=dask_worker.prepare, args=(settings,))
+        passing = threading.Thread(target=dask_worker.prepare, args=(order,))
         passing.start()
         passing.join(timeout=60)
         (other,) = dask_worker._all - {worker}
@@ -611,9 +607,7 @@ def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
         assert worker.alive() and not other.alive()
         # Arguments and results are bytes; the worker process is the same one, and the result has
         # its limits.
-        reply = json.loads(
-            lasting.submit(dask_worker.grade, settings, a_task(0).to_json()).result()
-        )
+        reply = json.loads(lasting.submit(dask_worker.grade, order, a_task(0).to_json()).result())
         assert (
             reply["result"]["final"] == "yes"
             and reply["limits"]["memory_megabytes"] <= Limits().memory_megabytes
@@ -623,6 +617,6 @@ def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
         assert not worker.alive() and not dask_worker._all
         # A worker that was slow to start finds that the run has ended.
         assert (
-            b"the run has ended" in lasting.submit(dask_worker.prepare, settings).result()
+            b"the run has ended" in lasting.submit(dask_worker.prepare, order).result()
             and not dask_worker._all
         )

@@ -24,9 +24,11 @@ from workbook.course import WORKBOOK
 from workbook.grading import commands
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.pool import grader, worker_pool
 from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports import points_by_hand
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 
@@ -75,12 +77,12 @@ def grade(folder, **options):
     arguments = {
         "assignment_folder": folder / "assignments",
         "processes": 1,
-        "timeout": 60,
+        "limits": Limits.of_time(60),
         "trusting": True,
         "quiet": True,
     } | options
     return commands.grade_course(
-        commands.GradingOptions(folder / "submitted", folder / "graded", **arguments)
+        GradingOptions(folder / "submitted", folder / "graded", **arguments)
     )
 
 

@@ -16,6 +16,7 @@ from workbook.course import WORKBOOK
 from workbook.grading import commands
 from workbook.grading.course import course, ledger
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.course.store import HandPoints, Store
 from workbook.grading.pool import fingerprint, grader, worker_pool
 from workbook.grading.pool.judging import Judgement, grader_failure
@@ -53,7 +54,7 @@ def test_notebooks_that_the_grader_failed_on_are_graded_again(tmp_path, failing_
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15 | {"a_region": "'ADA'"})
     hand_in(tmp_path, "bela", "1.15", RIGHT_1_15)
     failing_workers.add("ADA")
-    known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
+    known, plan, count = course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
     assert (len(plan.pending), count) == (2, 1) and points(tmp_path, known) == {
         "ada": 0.0,
         "bela": 5.0,
@@ -64,14 +65,14 @@ def test_notebooks_that_the_grader_failed_on_are_graded_again(tmp_path, failing_
             "unchecked"
         } and ada.remarks == ("grader: it failed on this notebook (it died)",)
     failing_workers.clear()
-    known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
+    known, plan, count = course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
     assert (len(plan.pending), plan.graded_before, count) == (1, 1, 0) and points(
         tmp_path, known
     ) == {
         "ada": 5.0,
         "bela": 5.0,
     }
-    assert course.grade(tmp_path / "submitted", tmp_path)[1].pending == ()
+    assert course.grade(GradingOptions(tmp_path / "submitted", tmp_path))[1].pending == ()
 
 
 def test_only_a_first_run_imports_while_it_reads(tmp_path, failing_workers, monkeypatch):
@@ -84,8 +85,8 @@ def test_only_a_first_run_imports_while_it_reads(tmp_path, failing_workers, monk
         forkserver.Forkserver, "start", lambda modules: started.append(modules) or Stub()
     )
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    course.grade(tmp_path / "submitted", tmp_path)
-    course.grade(tmp_path / "submitted", tmp_path)
+    course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
+    course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
     assert started == [preloading.ALWAYS], "the second run has nothing to grade"
 
 
@@ -104,7 +105,9 @@ def test_a_worker_process_that_dies_is_replaced(tmp_path, monkeypatch):
         ("cyd", RIGHT_1_15),
     ):
         hand_in(tmp_path, student, "1.15", answers)
-    known, _plan, count = course.grade(tmp_path / "submitted", tmp_path, count=1)
+    known, _plan, count = course.grade(
+        GradingOptions(tmp_path / "submitted", tmp_path, processes=1)
+    )
     assert count == 1 and points(tmp_path, known) == {"ada": 5.0, "bela": 0.0, "cyd": 5.0}
 
 
@@ -122,7 +125,9 @@ def test_other_limits_regrade_what_exceeded_the_former_ones(tmp_path):
         },
     )
     known, plan, _ = course.grade(
-        tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+        GradingOptions(
+            tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+        )
     )
     assert len(plan.pending) == 2 and points(tmp_path, known) == {"ada": 5.0, "bela": 4.0}
     with Store(tmp_path / "grades.sqlite") as store:
@@ -131,12 +136,16 @@ def test_other_limits_regrade_what_exceeded_the_former_ones(tmp_path):
         )
     assert (
         course.grade(
-            tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+            GradingOptions(
+                tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=2, wall_seconds=60)
+            )
         )[1].pending
         == ()
     )
     again = course.grade(
-        tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90)
+        GradingOptions(
+            tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90)
+        )
     )[1]
     assert (len(again.pending), again.graded_before) == (1, 1)
     with Store(tmp_path / "grades.sqlite") as store:
@@ -146,7 +155,7 @@ def test_other_limits_regrade_what_exceeded_the_former_ones(tmp_path):
 def test_the_same_notebook_twice_is_one_attempt(tmp_path, failing_workers):
     path = hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     (path.parent / "ch1-p15 (copy).ipynb").write_bytes(path.read_bytes())
-    known, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
+    known, plan, _ = course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
     assert len(plan.pending) == 1 and points(tmp_path, known) == {"ada": 5.0}
 
 
@@ -177,7 +186,9 @@ def late(out, known):
 
 
 def run(folder):
-    known, plan, _ = course.grade(folder / "submitted", folder, folder / "assignments")
+    known, plan, _ = course.grade(
+        GradingOptions(folder / "submitted", folder, folder / "assignments")
+    )
     return len(plan.pending), points(folder, known), late(folder, known)
 
 
@@ -256,8 +267,14 @@ def test_a_homework_folder_of_an_invalid_name_stops_nothing(tmp_path, by_content
     os.makedirs(folder)
     Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(normal.read_bytes())
     done = commands.grade_course(
-        commands.GradingOptions(
-            tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
+        GradingOptions(
+            tmp_path / "submitted",
+            tmp_path / "graded",
+            tmp_path / "assignments",
+            1,
+            limits=Limits.of_time(60),
+            trusting=True,
+            quiet=True,
         )
     )
     assert done["assignments"]["hw1"] == {"ann": 5, "eve": 0}
@@ -283,7 +300,7 @@ def test_a_store_that_is_full_or_no_database_is_an_error(tmp_path, by_content):
     (tmp_path / "graded").mkdir()
     (tmp_path / "graded" / "grades.sqlite").write_text("this is something else " * 100)
     with pytest.raises(InputError, match="grades.sqlite: file is not a database"):
-        course.grade(tmp_path / "submitted", tmp_path / "graded")
+        course.grade(GradingOptions(tmp_path / "submitted", tmp_path / "graded"))
 
 
 def test_a_store_of_an_older_version_is_read(tmp_path, by_content):
@@ -300,7 +317,7 @@ def test_a_notebook_for_no_problem_is_reported(tmp_path, failing_workers):
     hand_in(tmp_path, "ada", "1.4", {})
     odd = hand_in(tmp_path, "bela", "1.15", RIGHT_1_15, name="essay\x1b.ipynb")
     odd.write_text(odd.read_text().replace('"number": "1.15"', '"number": "99.99"'))
-    _, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
+    _, plan, _ = course.grade(GradingOptions(tmp_path / "submitted", tmp_path))
     (aside,) = plan.aside
     assert aside.path.endswith("essay\\x1b.ipynb") and "does not say which problem" in aside.reason
 
@@ -309,14 +326,16 @@ def test_a_notebook_for_no_problem_is_reported(tmp_path, failing_workers):
 def test_results_among_the_submissions_are_refused(tmp_path, failing_workers, out):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     with pytest.raises(course.CourseError, match="every folder is a student's: put it beside"):
-        course.grade(tmp_path / "submitted", tmp_path / out)
+        course.grade(GradingOptions(tmp_path / "submitted", tmp_path / out))
     assert [path.name for path in (tmp_path / "submitted").iterdir()] == ["ada"]
 
 
 def test_a_changed_judge_grades_again(tmp_path, failing_workers, monkeypatch):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
-    course.grade(tmp_path / "submitted", tmp_path / "graded")
-    assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
+    course.grade(GradingOptions(tmp_path / "submitted", tmp_path / "graded"))
+    assert (
+        course.grade(GradingOptions(tmp_path / "submitted", tmp_path / "graded"))[1].pending == ()
+    )
     closure = fingerprint.module_closure
     monkeypatch.setattr(
         fingerprint,
@@ -327,7 +346,10 @@ def test_a_changed_judge_grades_again(tmp_path, failing_workers, monkeypatch):
             else closure(source)
         ),
     )
-    assert len(course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending) == 1
+    assert (
+        len(course.grade(GradingOptions(tmp_path / "submitted", tmp_path / "graded"))[1].pending)
+        == 1
+    )
 
 
 def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypatch):

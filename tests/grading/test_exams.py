@@ -20,6 +20,8 @@ from workbook.grading import commands
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import exams, handing_out, text_cells
 from workbook.grading.course.assignment import AssignmentError, Exam
+from workbook.grading.course.options import GradingOptions
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 from workbook.notebooks.new_cells import new_code_cell
 
@@ -87,8 +89,13 @@ def test_a_paper_is_built_and_graded(name, tmp_path):
             if student == "ann":
                 solve(path, problem)
     result = commands.grade_course(
-        commands.GradingOptions(
-            tmp_path / "submitted", tmp_path / "graded", folder, 1, 60, False, True
+        GradingOptions(
+            tmp_path / "submitted",
+            tmp_path / "graded",
+            folder,
+            1,
+            limits=Limits.of_time(60),
+            quiet=True,
         )
     )
     by_hand = sum(homework.points[assignments.BY_HAND].values())

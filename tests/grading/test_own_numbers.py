@@ -26,8 +26,10 @@ from workbook.grading.course import (
     student_folders,
 )
 from workbook.grading.course.assignment import AssignmentError, InputError
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.gradescope import bundle
 from workbook.grading.reports.canvas import read_roster
+from workbook.grading.sandbox.limits import Limits
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -219,8 +221,13 @@ def test_each_student_has_one_problem_of_a_pool(tmp_path):
 
     submit("ann")
     submit("ben")  # right, and not asked of him
-    grade = commands.GradingOptions(
-        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+    grade = GradingOptions(
+        tmp_path / "submitted",
+        tmp_path / "graded",
+        assignments,
+        1,
+        limits=Limits.of_time(60),
+        quiet=True,
     )
     if table["ann"]["pool"] == table["ben"]["pool"]:  # their folders are those of the draw
         with pytest.raises(InputError, match="ch1-p(18|04).ipynb: numbers.csv says 1"):
@@ -271,8 +278,13 @@ def test_a_notebook_for_all_does_not_decide(tmp_path, monkeypatch):
         target.parent.mkdir(parents=True)
         target.write_text(json.dumps(document), encoding="utf-8")
     result = commands.grade_course(
-        commands.GradingOptions(
-            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        GradingOptions(
+            tmp_path / "submitted",
+            tmp_path / "graded",
+            assignments,
+            1,
+            limits=Limits.of_time(60),
+            quiet=True,
         )
     )
     assert result["assignments"]["hw1"] == {"ann": 3.0, "ben": 0.0, "cat": 3.0}
@@ -339,8 +351,13 @@ def test_six_students(tmp_path):
     submit("fay", solved("fay", RIGHT_2_4))
 
     result = commands.grade_course(
-        commands.GradingOptions(
-            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        GradingOptions(
+            tmp_path / "submitted",
+            tmp_path / "graded",
+            assignments,
+            1,
+            limits=Limits.of_time(60),
+            quiet=True,
         )
     )
     assert result["assignments"]["hw1"] == {
@@ -369,16 +386,26 @@ def test_six_students(tmp_path):
     path.write_text(path.read_text("utf-8").replace("eva,13", "eva,10"), encoding="utf-8")
     with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb: it has other numbers than 2\.4~10"):
         commands.grade_course(
-            commands.GradingOptions(
-                tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+            GradingOptions(
+                tmp_path / "submitted",
+                tmp_path / "graded",
+                assignments,
+                1,
+                limits=Limits.of_time(60),
+                quiet=True,
             )
         )
     path.write_text(path.read_text("utf-8").replace("eva,10", "eva,13"), encoding="utf-8")
     # a line added for fay: she is graded, and nobody else again
     path.write_text(path.read_text("utf-8") + f"fay,{rows['fay']}\n", encoding="utf-8")
     again = commands.grade_course(
-        commands.GradingOptions(
-            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        GradingOptions(
+            tmp_path / "submitted",
+            tmp_path / "graded",
+            assignments,
+            1,
+            limits=Limits.of_time(60),
+            quiet=True,
         )
     )
     assert (again["graded"], again["assignments"]["hw1"]["fay"]) == (1, 3.0)

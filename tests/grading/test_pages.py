@@ -27,6 +27,7 @@ from workbook.grading.course import assignment as assignments
 from workbook.grading.course.store import Attempt, HandPoints
 from workbook.grading.pool import judging
 from workbook.grading.pool.grader import from_plain, to_plain
+from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.mathml import with_formulas
@@ -164,7 +165,9 @@ def test_remarks_name_whose_fault_it_was(store, homework):
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
     remark = "limits: the notebook was still running when its time was up"
     store.record(
-        attempt, "e", {"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, [remark]
+        attempt,
+        "e",
+        Judgement({"a_region": Verdict(MISSING, "no answer: its time was up")}, {}, [remark]),
     )
     assert "limits: the notebook was still running" in shown(
         feedback(homework, scores(store, homework)[0])
@@ -177,9 +180,11 @@ def test_foreign_text_is_escaped(store, homework):
         store.record(
             attempt,
             "e",
-            {"a_region": Verdict(WRONG, HOSTILE), "b_region": Verdict(UNCHECKED, HOSTILE)},
-            {"a_region": HOSTILE, "b_region": HOSTILE},
-            [HOSTILE],
+            Judgement(
+                {"a_region": Verdict(WRONG, HOSTILE), "b_region": Verdict(UNCHECKED, HOSTILE)},
+                {"a_region": HOSTILE, "b_region": HOSTILE},
+                [HOSTILE],
+            ),
         )
     store.set_points({(HOSTILE, "hw1", "1.15", "a_region"): HandPoints(1.0, HOSTILE)})
     class_scores = scores(store, homework)
@@ -320,9 +325,11 @@ def test_summary(store, homework):
         store.record(
             attempt,
             "e",
-            {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")},
-            {"a_region": f"k1 > {k}"},
-            [],
+            Judgement(
+                {"a_region": Verdict(WRONG, message), "b_region": Verdict(RIGHT, "")},
+                {"a_region": f"k1 > {k}"},
+                (),
+            ),
         )
     page = summary(homework, scores(store, homework, ["dan"]))
     text = re.sub(r"\s+", " ", shown(page))
@@ -371,9 +378,9 @@ def test_named_mistakes_are_on_both_pages(store, homework):
         store.record(
             attempt,
             "e",
-            from_plain(json.loads(json.dumps(to_plain(judged)))).verdicts,
-            judged.answers,
-            [],
+            Judgement(
+                from_plain(json.loads(json.dumps(to_plain(judged)))).verdicts, judged.answers, ()
+            ),
         )
     master = read_master(ROOT / "solutions" / read_number("1.15").file(".md"))
     first_sentence, other_sentence = (
@@ -407,10 +414,12 @@ def test_answers_with_equal_short_texts_are_not_identical(store, homework):
         store.record(
             attempt,
             "e",
-            {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
-            {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"},
-            [],
-            {"a_region": str(k), "b_region": str(k // 2)},
+            Judgement(
+                {"a_region": Verdict(WRONG, "no"), "b_region": Verdict(WRONG, "no")},
+                {"a_region": "[[1, ..., 9]]", "b_region": "[[2, ..., 9]]"},
+                (),
+                hashes={"a_region": str(k), "b_region": str(k // 2)},
+            ),
         )
     page = summary(homework, scores(store, homework))
     identical = page.split("Identical wrong answers")[1].split("<h2>")[0]

@@ -14,6 +14,7 @@ from classroom import an_assignment, graded
 from workbook.checks.contract.verdict import RIGHT, WRONG, Verdict
 from workbook.grading.course import record
 from workbook.grading.course.assignment import InputError
+from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports import exporting
 from workbook.grading.reports.console_summary import print_summary
 from workbook.grading.reports.feedback import feedback
@@ -214,7 +215,7 @@ def test_the_advice_where_lateness_costs_something_and_the_time_is_unknown(
     """Canvas has no worksheet."""
     homework = an_assignment(tmp_path, DUE + "[late]\nper_day = 0.1\n")
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 5.0, timing)
-    store.record(attempt, "first", {"a_region": Verdict(RIGHT, "it holds")}, {}, [])
+    store.record(attempt, "first", Judgement({"a_region": Verdict(RIGHT, "it holds")}, {}, ()))
     console = Console(file=io.StringIO(), width=1000)
     print_summary(console, tmp_path, homework, scores(store, homework), [], None)
     said = console.file.getvalue()

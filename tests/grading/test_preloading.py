@@ -14,7 +14,6 @@ from unittest.mock import patch
 import pytest
 
 from workbook.grading.pool import grader, worker_pool
-from workbook.grading.pool.judging import Bounds
 from workbook.grading.sandbox.forkserver import (
     ALLOWED,
     NOTEBOOK_WORKER,
@@ -22,13 +21,13 @@ from workbook.grading.sandbox.forkserver import (
     Forkserver,
     entry_point,
 )
-from workbook.grading.sandbox.limits import Limits, ProcessStartError
+from workbook.grading.sandbox.limits import ProcessStartError
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, modules_for
 from workbook.grading.sandbox.sandbox import MAX_STARTS, Sandbox
 from workbook.notebooks import exercises
 
 #: For worker processes that import nothing beforehand.
-SETTINGS = grader.to_settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
+SETTINGS = grader.Settings(modules={"notebooks": [], "checks": []})
 
 
 def preloaded(problems, sources):

@@ -22,6 +22,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ordinary
 from hostile.reading import READING
 
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.sandbox import framing, isolation, watchdog
 from workbook.grading.sandbox import sandbox as sandbox_module
 from workbook.grading.sandbox.limits import (
@@ -156,7 +157,7 @@ def test_a_course_in_a_visible_folder_is_refused(tmp_path):
 
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
-        course.grade(submitted, tmp_path)
+        course.grade(GradingOptions(submitted, tmp_path))
     assert isolation.visible_parent(tmp_path) is None and isolation.visible_parent(
         "/usr/share"
     ) == Path("/usr")

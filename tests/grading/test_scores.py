@@ -11,6 +11,7 @@ from classroom import an_assignment, graded
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.course.store import HandPoints
 from workbook.grading.course.submissions import LeftAside
+from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports.scores import scores
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
@@ -122,7 +123,9 @@ def test_manual_points_replace_automatic_ones_until_removed(tmp_path, store):
     )
     # A regrade by changed checks finds it right; the lecturer's points stay.
     store.record(
-        attempt, "second", {name: type(score.answers[0].verdict)(RIGHT, "") for name in TWO}, {}, []
+        attempt,
+        "second",
+        Judgement({name: type(score.answers[0].verdict)(RIGHT, "") for name in TWO}, {}, ()),
     )
     assert (
         only(store, homework).points == 2.5

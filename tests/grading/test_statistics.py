@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, WRONG, Verdict
+from workbook.grading.pool.judging import Judgement
 from workbook.grading.reports import statistics
 from workbook.grading.reports.scores import scores
 
@@ -68,7 +69,9 @@ def test_named_mistakes_are_counted_over_time(tmp_path, store, homework):
         for student in students:
             attempt = graded(store, student, "1.17", {}, assignment=name)
             wrong = Verdict(WRONG, "it fails", "Did you forget <a minor>?\nLook again.")
-            store.record(attempt, "first", {"a_region": wrong, "b_region": wrong}, {}, [])
+            store.record(
+                attempt, "first", Judgement({"a_region": wrong, "b_region": wrong}, {}, ())
+            )
     homeworks = [(one, scores(store, one)) for one in (homework, second)]
     page = statistics.course_page(homeworks)
     assert (

@@ -20,6 +20,7 @@ from test_collecting import WORKSHEET, packed
 from workbook.grading.course import course, ledger, submissions
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.course.transaction import FOLDER, UnfinishedError, transaction
 
 KILLS = 40
@@ -132,7 +133,7 @@ def test_a_disk_that_fails_while_files_are_put_in_their_places(monkeypatch, seco
         with pytest.raises(InputError, match="cannot be written: No space left on device"):
             collect(*second_download)
     with pytest.raises(UnfinishedError):
-        course.grade(into, into.parent / "graded", trusting=True)
+        course.grade(GradingOptions(into, into.parent / "graded", trusting=True))
     collect(*second_download)
     assert len(tree(into)) == len(before) + len(STUDENTS) * 3
     assert FOLDER not in tree(into)

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -25,6 +26,7 @@ from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.cli import app
 from workbook.course import WORKBOOK
 from workbook.grading.course import course
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.course.store import Store
 from workbook.grading.sandbox.limits import Limits, SandboxUnavailableError
 from workbook.grading.sandbox.wasm import compiled, guest
@@ -219,9 +221,9 @@ def results(folder):
 
 def test_a_class_has_the_same_results_in_both_sandboxes(tmp_path):
     a_class(tmp_path, LARGE_CLASS if os.environ.get("WORKBOOK_ALL_PROBLEMS") else CLASS)
-    grade = partial(course.grade, tmp_path / "submitted", limits=Limits.of_time(30))
-    _, there, _ = grade(tmp_path / "there")
-    _, here, failures = grade(tmp_path / "here", wasm=True)
+    options = partial(GradingOptions, tmp_path / "submitted", limits=Limits.of_time(30))
+    _, there, _ = course.grade(options(tmp_path / "there"))
+    _, here, failures = course.grade(options(tmp_path / "here", wasm=True))
     waiting = {Path(path).parent.parent.name for path, _ in here.waiting}
     expected, found = results(tmp_path / "there"), results(tmp_path / "here")
     assert not failures and not there.waiting and len(found) == len(expected)
@@ -244,18 +246,19 @@ def test_what_waits_is_graded_where_it_can_be(tmp_path):
         {**RIGHT_1_18, "b_region": f"{RIGHT_1_18['b_region']}\nimport casadi"},
     )
     hand_in(tmp_path, "bob", "1.18", RIGHT_1_18)
-    grade = partial(course.grade, tmp_path / "submitted", tmp_path / "graded")
+    sandboxed = GradingOptions(tmp_path / "submitted", tmp_path / "graded")
+    in_wasm = replace(sandboxed, wasm=True)
     for _ in range(2):  # the second run looks at it again, and at nothing else
-        _, plan, failures = grade(wasm=True)
+        _, plan, failures = course.grade(in_wasm)
         [(path, why)] = plan.waiting
         assert "ada" in path and "casadi" in why and not failures
     assert len(plan.pending) == 1
     verdicts, remarks = results(tmp_path / "graded")["ada"]
     assert {verdict[0] for verdict in verdicts.values()} == {UNCHECKED}
     assert remarks[0][0] == "grader" and "waits for a machine with Linux" in remarks[0][1]
-    assert grade()[1].waiting == ()
+    assert course.grade(sandboxed)[1].waiting == ()
     assert {v[0] for v in results(tmp_path / "graded")["ada"][0].values()} == {RIGHT}
-    assert grade(wasm=True)[1].pending == ()
+    assert course.grade(in_wasm)[1].pending == ()
 
 
 def test_the_command(tmp_path, monkeypatch):

@@ -24,8 +24,10 @@ from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
 
+from workbook import checks
 from workbook.authoring import master_paths, proof, read_master
 from workbook.authoring.mistakes import answer_type_of, mistake_sentence, seal_mistakes
+from workbook.checks.contract.check_cells import reported_names, with_one_answer
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.few_numbers import MOST_NUMBERS, numbers_in
@@ -279,6 +281,15 @@ def test_homework_does_not_say_in_which_direction_a_number_is_wrong(master):
     assert [row for row in result_of(master, "direction") if row[1] not in OF_BOUNDED_NUMBERS] == []
 
 
+def _in_homework(problem, name, value):
+    """Return the verdict on one answer by a check cell of a homework."""
+    (cell,) = (cell for cell in problem.master.code("check") if name in reported_names(cell))
+    with checks.collecting() as verdicts:
+        checks.hide_direction()
+        exec(with_one_answer(cell, name), problem.data | problem.reference | {name: value})
+    return verdicts[name]
+
+
 def _direction(problem):
     """Return [name, check, two messages] where the messages differ by more than their numbers."""
     differ = []
@@ -288,7 +299,7 @@ def _direction(problem):
         value = sp.sympify(reference)
         if not isinstance(value, sp.Expr):  # arcs of a control
             continue
-        verdicts = [problem.judge_in_homework(name, value * factor) for factor in FACTORS]
+        verdicts = [_in_homework(problem, name, value * factor) for factor in FACTORS]
         texts = {NUMBERS.sub("#", verdict.message) for verdict in verdicts}
         if {verdict.status for verdict in verdicts} == {"wrong"} and len(texts) > 1:
             differ.append([name, problem.check_arguments(name)[0], *(v.message for v in verdicts)])

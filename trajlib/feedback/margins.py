@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
+from trajlib import plotting
 from trajlib._arguments.matrices import (
     any_floats,
     is_state_space,
@@ -206,8 +207,6 @@ class LoopMargins:
         """
         # Matplotlib, for a plot only
         import matplotlib.pyplot as plt
-
-        from trajlib import plotting
 
         (symbol,) = self.loop.free_symbols
         value = sp.lambdify(symbol, self.loop, "numpy")

@@ -34,6 +34,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import mpmath
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled
@@ -195,8 +196,6 @@ def _single(A, b, prescribed):
 
 def _ackermann(A, b, prescribed, digits):
     """Return -e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
-    import mpmath
-
     with mpmath.workdps(digits):
         exact = [[mpmath.mpf(x) for x in row] for row in A.tolist()]
         columns = list(zip(*exact))

@@ -15,6 +15,7 @@ from fractions import Fraction
 from numbers import Real
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 #: Decimal digits in which samples are computed if floats do not decide their rank, and the digits
 #: to which a remainder has to vanish.
@@ -92,7 +93,6 @@ def exact_rank(functions, times):
 def _polynomial(y, scale):
     """Return a function of time as an exact SymPy polynomial in tau, or None if it is none."""
     import sympy as sp
-    from numpy.polynomial import Polynomial
 
     unit, shift = (sp.Rational(part) for part in scale)
     t = _poly([unit, unit * shift])
@@ -151,7 +151,6 @@ def _function(polynomial, scale, symbol):
 
 
 def _series(polynomial, scale):
-    from numpy.polynomial import Polynomial
 
     unit, shift = scale
     coefficients = [float(c) for c in polynomial.all_coeffs()[::-1]]

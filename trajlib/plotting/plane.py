@@ -53,10 +53,10 @@ def hatch(ax, X, Y, depth):
     hatching.set_linewidth(0)
 
 
-def window_grid(ax, points=401):
+def window_grid(ax):
     if ax is None:
         raise TypeError("ax: expected the Axes to draw on, whose window is used")
-    return np.meshgrid(np.linspace(*ax.get_xlim(), points), np.linspace(*ax.get_ylim(), points))
+    return np.meshgrid(*(np.linspace(*ends, 401) for ends in (ax.get_xlim(), ax.get_ylim())))
 
 
 def read_ranges(x_range, y_range):

@@ -131,6 +131,7 @@ class Problem(Statement):
         >>> print(frugal.explain().applied[0].detail)
         u = max(u, 0) - max(-u, 0)
         """
+        # The solvers load with it.
         from trajlib.pontryagin.indirect.explanation import explain
 
         return explain(self)
@@ -174,7 +175,7 @@ class Problem(Statement):
         --------
         trajlib.pontryagin.indirect.solve.solve : All arguments, errors and what is proved.
         """
-        # CasADi is loaded with it, which takes half a second.
+        # CasADi loads with it, which takes half a second.
         from trajlib.pontryagin.indirect.solve import solve
 
         return solve(self, structure, guess, starts, time_limit, progress)
@@ -218,6 +219,7 @@ class Problem(Statement):
         --------
         trajlib.pontryagin.indirect.solve_direct.solve_direct : The schemes, and all errors.
         """
+        # CasADi loads with it.
         from trajlib.pontryagin.indirect.solve_direct import solve_direct
 
         return solve_direct(self, grid, scheme, tolerance, guess, time_limit)

@@ -129,6 +129,7 @@ class PhasedProblem:
         PontryaginError
             As `Problem.solve`; states of phase k are called `y^(k)` there.
         """
+        # The solvers load with it.
         from trajlib.pontryagin.phased_extremal import PhasedExtremal
 
         joined = None if guess is None else self._joined_guess(guess)

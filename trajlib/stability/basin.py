@@ -23,6 +23,7 @@ from typing import Any
 
 import sympy as sp
 
+from trajlib import plotting
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real, restore_names, vanishes
 from trajlib._typing import Expressions, Symbols
@@ -84,9 +85,6 @@ class BasinEstimate:
         ValueError
             If the system is not planar, or if a parameter has no number.
         """
-        # Matplotlib, for a plot only
-        from trajlib import plotting
-
         if len(self.state) != 2 or self.V.free_symbols - set(self.state):
             raise ValueError("plot: expected a planar system with numbers for all parameters")
         if self.level == sp.oo:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from trajlib import plotting
 from trajlib._arguments.matrices import has_floats, read_exact_matrix
 from trajlib._arguments.renamed import renamed
 from trajlib._arguments.state_space import accepts_state_space
@@ -143,9 +144,6 @@ class StabilityConditions:
         ValueError
             If there are not two parameters.
         """
-        # Matplotlib, for a plot only
-        from trajlib import plotting
-
         if len(self.parameters) != 2:
             raise ValueError(
                 f"plot: a picture needs two parameters, this region has {len(self.parameters)}"

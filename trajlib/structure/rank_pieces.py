@@ -73,7 +73,7 @@ def _fallen(N, symbols, piece, below):
     rank = exact.rank(N)
     if not rank or not N.free_symbols:
         return
-    for factor in _zero_factors(_some_minor(N, rank), symbols):
+    for factor in _zero_factors(_some_minor(N, rank)):
         for values, equations in _zeros([factor], symbols):
             if equations:
                 # No parameter can be eliminated: the rank comes from the arithmetic modulo the
@@ -159,7 +159,7 @@ def _lower_on(polynomial, N, rank):
     return sp.groebner([polynomial, *(m for m in minors if m != 0)], *symbols, order="lex").exprs
 
 
-def _zero_factors(polynomial, symbols):
+def _zero_factors(polynomial):
     """Yield irreducible factors that vanish for some real values within the assumptions."""
     extension = (
         {"extension": True}
@@ -182,7 +182,7 @@ def _zeros(polynomials, symbols):
     first, *further_polynomials = sorted(
         polynomials, key=lambda p: (len(p.free_symbols), p.count_ops())
     )
-    for factor in _zero_factors(first, symbols):
+    for factor in _zero_factors(first):
         for values, equations in _zeros_of_irreducible(factor, symbols):
             if equations and further_polynomials:
                 raise NotSolved(*equations)

@@ -61,13 +61,6 @@ class JudgedProblem:
         """Return the verdict on one answer, from its own check cell alone."""
         return self.judge_among_right([name], {name: value})[name]
 
-    def judge_in_homework(self, name, value):
-        """Return the verdict of `judge_one` without the direction of a wrong number."""
-        with checks.collecting() as verdicts:
-            checks.hide_direction()
-            exec(self._alone[name], self.data | self.reference | {name: value})
-        return verdicts[name]
-
     def after(self, source):
         """Return the names after a trial, which begins with the data and the reference."""
         namespace = self.data | self.reference

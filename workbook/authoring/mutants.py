@@ -30,11 +30,15 @@ EXCHANGED = {
 }
 
 
-def mutants(value, kind="", most=24):
-    """Return up to `most` mutants of an answer, always the same ones, each once."""
+#: Most mutants of one answer.
+MOST = 24
+
+
+def mutants(value, kind=""):
+    """Return up to `MOST` mutants of an answer, always the same ones, each once."""
     variants = list(_mutants(value, kind))
     random.Random(7).shuffle(variants)
-    return list({repr(mutant): mutant for mutant in variants[:most]}.values())
+    return list({repr(mutant): mutant for mutant in variants[:MOST]}.values())
 
 
 def _mutants(value, kind):

@@ -116,13 +116,11 @@ def row_texts(row):
     return tuple(map(_as_source, row))
 
 
-def phrases(numbers, namespace):
+def phrases(namespace):
     """Return the phrases of a problem with the numbers of a row, in the order of `shown`.
 
     Parameters
     ----------
-    numbers : Numbers
-        The section.
     namespace : dict
         The names after the data cells with the numbers of the row, and after `numbers.source`.
 

@@ -13,6 +13,8 @@ import re
 from pathlib import Path
 from textwrap import wrap
 
+import yaml
+
 from trajlib.typesetting import plain
 from workbook import course
 from workbook.authoring.contract import caption_above, plural_kind
@@ -304,8 +306,6 @@ def _link_metadata(urls):
 
 def baseurl(root):
     """Return the site's address from workbook.toml or _config.yml, "" where none is set."""
-    import yaml
-
     if (root / course.FILE).is_file():
         return course.read(root).site
     config = root / "_config.yml"

@@ -89,7 +89,7 @@ class Variants:
     def __init__(self, master):
         self.master, self.numbers = master, read_numbers(master)
         self._names = {}
-        self._site_phrases = phrases(self.numbers, self.names(0))
+        self._site_phrases = phrases(self.names(0))
         page = _shown_text(master)
         if missing := [text for text in self._site_phrases if text not in page]:
             raise MasterError(
@@ -124,7 +124,7 @@ class Variants:
         NumbersError
             If a coefficient is 0, or two phrases that look alike in row 0 differ in this row.
         """
-        pairs = list(zip(self._site_phrases, phrases(self.numbers, self.names(row))))
+        pairs = list(zip(self._site_phrases, phrases(self.names(row))))
         texts = dict(pairs)
         if set(texts.items()) != set(pairs):
             raise NumbersError("two phrases are the same in row 0 and differ in this row")

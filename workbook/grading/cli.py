@@ -123,11 +123,11 @@ def grade(
         raise UserError("--by is for --review; workbook score has it, too")
     try:
         summary = _grade_course(
+            timeout,
             submitted=submitted,
             out=out,
             assignment_folder=assignments,
             processes=processes,
-            timeout=timeout,
             trusting=trust_students,
             quiet=as_json,
             roster=roster,
@@ -162,16 +162,21 @@ def _runs_in_wasm(sandbox):
     return sandbox == SandboxKind.WASM
 
 
-def _grade_course(**options):
+def _grade_course(timeout, **options):
     # The imports are inside the context too: they take long enough for a Ctrl-C.
     from workbook.grading.interrupts import repeat_lost_interrupts
 
     with repeat_lost_interrupts():
-        from workbook.grading.commands import GradingOptions, grade_course
-        from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
+        from workbook.grading.commands import grade_course
+        from workbook.grading.course.options import GradingOptions
+        from workbook.grading.sandbox.limits import (
+            Limits,
+            ProcessStartError,
+            SandboxUnavailableError,
+        )
 
         try:
-            return grade_course(GradingOptions(**options))
+            return grade_course(GradingOptions(limits=Limits.of_time(timeout), **options))
         except ProcessStartError as error:
             raise UserError(str(error)) from None
         except SandboxUnavailableError as error:

@@ -6,7 +6,7 @@ It grades with a progress bar, then writes tables and pages.
 import hashlib
 import math
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -41,7 +41,6 @@ from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.summary import summary
 from workbook.grading.reports.text_page import text_page
-from workbook.grading.sandbox.limits import Limits
 
 IN_WASM = (
     "notebooks run in WebAssembly, which is slower than bubblewrap on Linux; one that needs what is "
@@ -49,55 +48,10 @@ IN_WASM = (
 )
 
 
-@dataclass(frozen=True)
-class GradingOptions:
-    """What `workbook grade` is told.
-
-    Parameters
-    ----------
-    submitted, out : path
-        Folders of submissions and of results.
-    assignment_folder : path or None
-        Folder of the assignment files; by default `assignments`, if it exists.
-    processes : int or None
-        Notebooks graded at the same time; by default as many as processors.
-    timeout : float
-        Seconds of computing that one notebook may take.
-    trusting : bool
-        Whether notebooks run without a sandbox.
-    quiet : bool
-        Whether nothing is printed.
-    roster : path or None
-        The students of the class: a gradebook exported from Canvas, or any other table of them.
-    site : str
-        Address of the student edition of the site.
-    cluster : dict or None
-        The options (address, ca_file, cert, key) of a `cluster.coordinator.Cluster` that grades.
-    review : bool
-        Whether a page for grading by hand is served afterwards.
-    by : str
-        Who gives points on that page.
-    wasm : bool
-        Whether notebooks run in WebAssembly, not in bubblewrap.
-    """
-
-    submitted: Path
-    out: Path
-    assignment_folder: Path | None = None
-    processes: int | None = None
-    timeout: float = 120
-    trusting: bool = False
-    quiet: bool = False
-    roster: Path | None = None
-    site: str = ""
-    cluster: dict | None = None
-    review: bool = False
-    by: str = ""
-    wasm: bool = False
-
-
 def grade_course(options):
     """Grade a course as `GradingOptions` say, and write all tables and pages.
+
+    Without a folder of assignment files it is `assignments`, if that exists.
 
     Returns
     -------
@@ -370,15 +324,9 @@ def _grade_with_progress_bar(console, options, cluster):
 
     try:
         return course.grade(
-            options.submitted,
-            options.out,
-            options.assignment_folder,
-            options.processes,
-            Limits.of_time(options.timeout),
-            trusting=options.trusting,
-            cluster=cluster,
-            progress=progress,
-            wasm=options.wasm,
+            options,
+            cluster,
+            progress,
             report=lambda line: console.print(line, markup=False),
         )
     finally:

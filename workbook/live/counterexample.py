@@ -1,6 +1,10 @@
 """Draw a wrong stability region with a point of the plane where it is wrong."""
 
 import numpy as np
+import sympy as sp
+from sympy.logic.boolalg import Boolean
+
+from trajlib import plotting
 
 #: Half the sides of the squares that are searched; the first one with a counterexample is drawn.
 HALF_WIDTHS = (4, 2, 10, 1)
@@ -32,8 +36,6 @@ def counterexample_figure(claim, reference):
 
 def _plane(claim, reference):
     """Return the two symbols of both conditions, or None."""
-    from sympy.logic.boolalg import Boolean
-
     if not (isinstance(claim, Boolean) and isinstance(reference, Boolean)):
         return None
     symbols = sorted(reference.free_symbols | claim.free_symbols, key=str)
@@ -58,8 +60,6 @@ def _deepest_point(claim, reference, symbols, half_width):
 
 
 def _evaluate(condition, symbols, x, y):
-    import sympy as sp
-
     with np.errstate(all="ignore"):
         try:
             values = sp.lambdify(symbols, condition, "numpy")(x, y)
@@ -71,9 +71,6 @@ def _evaluate(condition, symbols, x, y):
 def _figure(claim, symbols, half_width, x, y, is_claimed):
     # for a figure only: most verdicts have none
     import matplotlib.pyplot as plt
-    import sympy as sp
-
-    from trajlib import plotting
 
     with plotting.style():
         figure, axes = plt.subplots(figsize=(4.4, 4))

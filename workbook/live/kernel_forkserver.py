@@ -122,6 +122,7 @@ def request_kernel(address, request):
 
 
 def _import_all():
+    # in the forkserver alone
     from workbook.grading.sandbox.preloading import SYMPY, freeze_new_objects, warm_up_matplotlib
 
     with freeze_new_objects():

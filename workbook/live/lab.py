@@ -13,6 +13,7 @@ import os
 import shutil
 import sys
 import threading
+from importlib.util import find_spec
 from pathlib import Path
 
 from workbook.live.kernel_forkserver import skip_rfc3987_grammars
@@ -166,7 +167,7 @@ def serve(folder, port):
         open_browser=False,
         log_level="ERROR",
         jpserver_extensions=disabled
-        | {name: True for name in SERVER_EXTENSIONS if _is_installed(name)},
+        | {name: True for name in SERVER_EXTENSIONS if find_spec(name)},
         allow_root=True,
         terminals_enabled=False,
         preferred_dir=str(folder / "copy"),
@@ -193,12 +194,6 @@ def _nbgrader_extensions():
         f"nbgrader.server_extensions.{name}"
         for name in ("formgrader", "validate_assignment", "assignment_list", "course_list")
     ]
-
-
-def _is_installed(name):
-    from importlib.util import find_spec
-
-    return find_spec(name) is not None
 
 
 if __name__ == "__main__":

@@ -9,11 +9,13 @@ import socket
 import subprocess
 import sys
 import threading
+import urllib.request
 import webbrowser
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from urllib.parse import parse_qs, urlsplit
 
 from workbook.live import lab
 from workbook.live.errors import LiveError
@@ -179,9 +181,6 @@ def _wait_until_ready(server, folder):
 
 def _start_kernel(address, name):
     """Start the kernel before the page opens, which ignores a cell that is run without one."""
-    import urllib.request
-    from urllib.parse import parse_qs, urlsplit
-
     parts = urlsplit(address)
     session = {"path": name, "name": name, "type": "notebook", "kernel": {"name": "python3"}}
     request = urllib.request.Request(

@@ -9,6 +9,7 @@ from contextlib import closing
 from pathlib import Path
 
 from workbook.grading.course import course
+from workbook.grading.course.options import GradingOptions
 from workbook.grading.pool.judging import Bounds
 from workbook.grading.sandbox.limits import Limits
 
@@ -51,10 +52,12 @@ def results(here):
 
 if __name__ == "__main__":
     course.grade(
-        Path("submitted"),
-        Path("graded"),
-        count=2,
-        limits=LIMITS,
-        bounds=BOUNDS,
-        wasm="wasm" in sys.argv,
+        GradingOptions(
+            Path("submitted"),
+            Path("graded"),
+            processes=2,
+            limits=LIMITS,
+            bounds=BOUNDS,
+            wasm="wasm" in sys.argv,
+        )
     )

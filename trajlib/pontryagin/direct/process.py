@@ -6,6 +6,7 @@ from typing import Any, Self
 import numpy as np
 import sympy as sp
 
+from trajlib import plotting
 from trajlib.pontryagin.problem.derivation import conditions
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.problem.times_of_process import times_of_process
@@ -202,7 +203,6 @@ class DirectProcess:
         ndarray of Axes
             Those that were drawn on.
         """
-        from trajlib import plotting
 
         if axes is None:
             import matplotlib.pyplot as plt

@@ -13,6 +13,7 @@ CANCELLING = 1e3
 RANK = 1e-8
 # Residual, relative to the values, beyond which a curved valley is followed.
 SOLVED = 1e-9
+ITERATIONS = 80
 # Newton's method stops where the residual has not fallen to this share of itself within so many
 # steps.
 STAGNATION, PATIENCE = 0.9, 10
@@ -22,18 +23,18 @@ SHORTEST_NATURAL = 1 / 32
 
 # Norms of residuals far from a solution may overflow: such trials are refused.
 @np.errstate(over="ignore")
-def newton(equations, z, iterations=80):
+def newton(equations, z):
     """Solve by damped least-squares Newton steps; the lengths of the arcs stay positive.
 
     Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms
     that cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative
     to the duration.
     """
-    z, r, J = _damped(equations, z, iterations)
+    z, r, J = _damped(equations, z)
     if np.isfinite(J).all() and np.linalg.norm(r) > SOLVED * (1 + np.linalg.norm(z)):
         solution = follow_valley(equations, z)
         if solution is not None:
-            z, r, J = _damped(equations, solution, iterations)
+            z, r, J = _damped(equations, solution)
     if not np.isfinite(J).all():
         return z, np.inf, np.inf
     step = _least_squares(J, r, 1e-13)[equations.lengths]
@@ -46,11 +47,11 @@ def newton(equations, z, iterations=80):
     )
 
 
-def _damped(equations, z, iterations):
+def _damped(equations, z):
     """Return (z, r, J) after damped steps, as long as the residual falls."""
     r, J = equations.residual(z)
     sizes, log = [], current_log()
-    for _ in range(iterations):
+    for _ in range(ITERATIONS):
         sizes.append(np.linalg.norm(r))
         log.show("Newton", f"residual {sizes[-1]:.1e}")
         if not np.isfinite(J).all() or sizes[-1] > STAGNATION * max(

@@ -15,8 +15,8 @@ def draw(synthesis, ax=None, isochrones=(), extremals=24):
             _, ax = plt.subplots(figsize=(6.4, 5))
         ax = window(synthesis.problem.state, *synthesis.window, ax=ax)
         _regions(synthesis, ax)
-        for points, controls in synthesis.extremals(extremals) if extremals else ():
-            _extremal(ax, points, controls, synthesis)
+        for points, _ in synthesis.extremals(extremals) if extremals else ():
+            _extremal(ax, points, synthesis)
         for time in isochrones:
             for line in synthesis.isochrone(time):
                 _line(ax, line, "isochrones", color=GREY, ls=(0, (1, 1.5)), lw=1.3, zorder=2)
@@ -123,7 +123,7 @@ def _line(ax, points, label, **look):
     ax.plot(*points.T, label=None if label in legend else label, **look)
 
 
-def _extremal(ax, points, controls, synthesis):
+def _extremal(ax, points, synthesis):
     ax.plot(*points.T, color=BLACK, ls="-", lw=0.8, alpha=0.75, zorder=3)
     middle = len(points) // 2
     inside = synthesis._inside(points.T)

@@ -2,8 +2,10 @@
 
 import numpy as np
 
+ROUNDS = 20
 
-def newton_extremals(fan, x, s, tau, sequence, rounds=20):
+
+def newton_extremals(fan, x, s, tau, sequence):
     """Solve x(s, tau) = x by Newton's method for extremals of given control sequences.
 
     Returns s, tau, costs, the modes at the points, the controls there (N, k), and which converged.
@@ -18,7 +20,7 @@ def newton_extremals(fan, x, s, tau, sequence, rounds=20):
     good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), sequences.mode[sequence]
     last, controls = mode.copy(), np.full((count, len(plant.controls)), np.nan)
     active = np.arange(count)
-    for number in range(rounds):
+    for number in range(ROUNDS):
         # One-sided where the parameter ends.
         up, down = (
             np.minimum(s[active] + ds, fan.ends.high),

@@ -282,7 +282,7 @@ def end_families(transversality):
 
             w = greatest(s)
             scale = max(np.abs(w).max(), 1e-300)
-            zeros = _zeros(lambda v: greatest(np.atleast_1d(v))[0], s, w, scale, closed)
+            zeros = _zeros(lambda v: greatest(np.atleast_1d(v))[0], s, w, scale)
             touching += [
                 (z, sign)
                 for z in zeros
@@ -310,7 +310,7 @@ def _last_admissible(function, low, high):
     return zero
 
 
-def _zeros(function, s, w, scale, closed):
+def _zeros(function, s, w, scale):
     """Return where w changes its sign, and where it touches zero from above."""
     from scipy.optimize import minimize_scalar
 

@@ -22,9 +22,11 @@ import numpy as np
 import sympy as sp
 
 from workbook.display.explorer.formulas import Formula, pretty
+from workbook.display.explorer.page import html
 from workbook.display.explorer.panels import Panel
 from workbook.display.explorer.sentences import Sentence
 from workbook.display.explorer.steps import Parameter, Series, Step, numbers, with_values
+from workbook.display.explorer.still import draw
 
 __all__ = ["Explorer"]
 
@@ -400,8 +402,6 @@ class Explorer:
         ValueError
             If there is no such parameter.
         """
-        from workbook.display.explorer.still import draw
-
         return draw(self, values)
 
     def _define(self, symbol, inputs):
@@ -430,6 +430,4 @@ class Explorer:
         return f"Explorer of {count} panel{'s' * (count != 1)}: {self.description}"
 
     def _repr_html_(self):
-        from workbook.display.explorer.page import html
-
         return html(self)

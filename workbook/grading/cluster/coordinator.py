@@ -12,7 +12,7 @@ import uuid
 from collections import Counter, deque
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from urllib.parse import urlsplit
 
 from workbook.grading.cluster import dask_worker
@@ -69,9 +69,9 @@ class Cluster:
         )
         try:
             with connected(self) as client:
-                run = _Run(
-                    client, tasks, settings | {"run": uuid.uuid4().hex, "library": library}, self
-                )
+                order = {"run": uuid.uuid4().hex, "library": library, "settings": asdict(settings)}
+                del order["settings"]["course"]  # each machine has its own
+                run = _Run(client, tasks, order, self)
                 try:
                     yield from run.results()
                 finally:
@@ -94,8 +94,8 @@ class _Call:
 class _Run:
     """The tasks that wait, the calls on their way, and the workers."""
 
-    def __init__(self, client, tasks, settings, cluster):
-        self._client, self._settings, self._cluster = client, settings, cluster
+    def __init__(self, client, tasks, order, cluster):
+        self._client, self._order, self._cluster = client, order, cluster
         self._waiting, self._failures, self._failed_on = deque(tasks), Counter(), {}
         self._calls, self._finished, self._given_up = {}, queue.SimpleQueue(), deque()
         # Threads by worker; the largest number of them seen on each machine.
@@ -123,7 +123,7 @@ class _Run:
         with suppress(Exception):
             self._client.cancel(futures, force=True) if futures else None
         with suppress(Exception):
-            self._client.run(dask_worker.end_run, self._settings["run"], on_error="ignore")
+            self._client.run(dask_worker.end_run, self._order["run"], on_error="ignore")
 
     # Workers
 
@@ -205,14 +205,14 @@ class _Run:
         return None
 
     def _call(self, function, address, task=None):
-        settings = json.dumps(
-            self._settings | {"workers": self._threads_on_host[_host(address)]}
+        order = json.dumps(
+            self._order | {"workers": self._threads_on_host[_host(address)]}
         ).encode()
         # Neither names nor anything else of the student's: the code of the notebook alone.
         arguments = () if task is None else (task.to_json(),)
         future = self._client.submit(
             function,
-            settings,
+            order,
             *arguments,
             workers=[address],
             allow_other_workers=False,

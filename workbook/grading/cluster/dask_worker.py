@@ -17,10 +17,12 @@ import platform
 import subprocess
 import sys
 import threading
+from dataclasses import asdict, replace
 from importlib import metadata
 
-from workbook.grading.pool import grader, worker_pool
+from workbook.grading.pool import worker_pool
 from workbook.grading.pool.fingerprint import fingerprint
+from workbook.grading.pool.grader import Settings
 from workbook.grading.sandbox.forkserver import Forkserver
 from workbook.grading.sandbox.isolation import visible_parent
 from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
@@ -44,8 +46,14 @@ class UnfitWorkerError(RuntimeError):
 # Called by the coordinator
 
 
-def prepare(settings):
+def prepare(order):
     """Start this thread's worker process.
+
+    Parameters
+    ----------
+    order : bytes
+        JSON of {"run": its name, "library": `library_versions` there, "workers": how many there are
+        on this machine, "settings": a `Settings` without the course}.
 
     Returns
     -------
@@ -53,14 +61,14 @@ def prepare(settings):
         JSON of {"refused": reason, "sandbox": whether for lack of one}, of {} if all is well.
     """
     try:
-        _thread_worker(settings)
+        _thread_worker(order)
     except (UnfitWorkerError, SandboxUnavailableError) as error:
         return _refusal(error)
     return b"{}"
 
 
-def grade(settings, task):
-    """Grade a task.
+def grade(order, task):
+    """Grade a task by an order as of `prepare`.
 
     Returns
     -------
@@ -69,14 +77,14 @@ def grade(settings, task):
         if a process ended meanwhile.
     """
     try:
-        worker = _thread_worker(settings)
+        worker = _thread_worker(order)
     except (UnfitWorkerError, SandboxUnavailableError) as error:
         return _refusal(error)
     result = worker.graded(task)
     if result is None:
         worker.stop()
     return json.dumps(
-        {"result": result, "limits": worker.settings["limits"]} if result else {}
+        {"result": result, "limits": asdict(worker.limits)} if result else {}
     ).encode()
 
 
@@ -129,7 +137,7 @@ def _workbook_hash():
 LOADED_HASH = _workbook_hash()
 
 
-def _thread_worker(settings):
+def _thread_worker(order):
     """Return this thread's worker process for a run, started if there is none or it has ended.
 
     Raises `UnfitWorkerError` and `SandboxUnavailableError`.
@@ -137,42 +145,34 @@ def _thread_worker(settings):
     workers = _thread_local.__dict__.setdefault("workers", {})
     for run in [run for run, worker in workers.items() if not worker.alive()]:
         workers.pop(run).stop()
-    settings = json.loads(settings)
-    run = settings["run"]
+    order = json.loads(order)
+    run = order["run"]
     if run not in workers:
-        workers[run] = _ThreadWorker(settings)
+        workers[run] = _ThreadWorker(**order)
     return workers[run]
 
 
 class _ThreadWorker:
     """A worker process that one thread uses and another one may end."""
 
-    def __init__(self, settings):
-        _require_same_library(settings["library"])
-        if not settings["trusting"]:
-            _require_hidden_files()
-        limits, bounds, trusting = grader.from_settings(settings)
-        count = settings["workers"]
-        self.settings = grader.to_settings(
-            grader.fit_memory(limits, count), grader.fit_memory(bounds, count), trusting
+    def __init__(self, run, library, workers, settings):
+        _require_same_library(library)
+        settings = replace(
+            Settings.from_plain(settings).fit_memory(workers), idle_seconds=IDLE_SECONDS
         )
-        self.run, self._in_use = settings["run"], threading.Lock()
+        if not settings.trusting:
+            _require_hidden_files()
+        self.run, self.limits, self._in_use = run, settings.limits, threading.Lock()
         with _lock:
             if self.run in _ended_runs:
                 raise UnfitWorkerError("the run has ended")
-            self._forkserver, workers = Forkserver.start([]), []
+            self._forkserver, started = Forkserver.start([]), []
             try:
-                worker_pool.start_workers(
-                    workers,
-                    1,
-                    self.settings
-                    | {"idle_seconds": IDLE_SECONDS, "modules": worker_pool.modules(settings)},
-                    self._forkserver,
-                )
+                worker_pool.start_workers(started, 1, settings, self._forkserver)
             except SandboxUnavailableError:
                 self._forkserver.close()
                 raise
-            (self._worker,) = workers
+            (self._worker,) = started
             _all.add(self)
         try:
             with self._in_use:

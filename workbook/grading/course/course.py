@@ -19,7 +19,7 @@ from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.grading.pool import grader
 from workbook.grading.pool.fingerprint import fingerprint
-from workbook.grading.pool.judging import ELSEWHERE, FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
+from workbook.grading.pool.judging import ELSEWHERE, FINAL, NOT_FINAL, WITHIN_LIMITS
 from workbook.grading.pool.turns import Turns
 from workbook.grading.sandbox import preloading
 from workbook.grading.sandbox.limited_process import LimitedProcess, LimitError
@@ -84,20 +84,8 @@ class Pending:
     task: grader.Task
 
 
-def grade(
-    submitted,
-    out,
-    assignment_folder=None,
-    count=None,
-    limits=Limits(),
-    bounds=Bounds(),
-    trusting=False,
-    cluster=None,
-    progress=lambda done, total: None,
-    wasm=False,
-    report=lambda line: None,
-):
-    """Grade `submitted` into `out`/grades.sqlite.
+def grade(options, cluster=None, progress=lambda done, total: None, report=lambda line: None):
+    """Grade what was submitted, and store the results in grades.sqlite.
 
     What has a result by the very same exercise and library is not graded again, so a killed run
     continues where it stopped, and a changed exercise regrades only what it changed; other limits
@@ -105,22 +93,12 @@ def grade(
 
     Parameters
     ----------
-    submitted, out : path
-        Folders of submissions and of results.
-    assignment_folder : path, optional
-        Folder of the assignment files.
-    count : int, optional
-        Number of worker processes; by default that of the processors.
-    limits, bounds : Limits, Bounds
-        Those of running and of judging a notebook.
-    trusting : bool
-        Whether notebooks run without a sandbox.
+    options : GradingOptions
+        Which folders, in how many processes, within which limits, and in which sandbox.
     cluster : workbook.grading.cluster.coordinator.Cluster, optional
         Its workers grade, not this machine.
     progress : callable
         Called with the numbers of notebooks that are done and that are to be graded.
-    wasm : bool
-        Whether notebooks run in WebAssembly, not in a sandbox that only Linux has.
     report : callable
         Called with one line before something that takes long.
 
@@ -136,8 +114,8 @@ def grade(
     SandboxUnavailableError
         If there is no sandbox.
     """
-    out = Path(out)
-    if out.resolve().is_relative_to(Path(submitted).resolve()):
+    submitted, out = Path(options.submitted), Path(options.out)
+    if out.resolve().is_relative_to(submitted.resolve()):
         raise CourseError(
             f"{out} lies in {submitted}, where every folder is a student's: put it beside"
         )
@@ -146,27 +124,28 @@ def grade(
     except OSError as error:
         raise CourseError(f"{out} cannot be made: {error.strerror}") from None
     home = pinned()
-    if home is not None and home.folder.is_relative_to(Path(submitted).resolve()):
+    if home is not None and home.folder.is_relative_to(submitted.resolve()):
         raise CourseError(
             f"the course {home.folder} lies in {submitted}, where every folder is a student's: name "
             "yours by --course FOLDER"
         )
-    if not (trusting or wasm):
+    if not (options.trusting or options.wasm):
         _require_hidden(submitted, out, *([home.folder] if home else []))
     with (
         _locked(out),
-        _early_forkserver(out, cluster is not None or wasm) as forkserver,
+        _early_forkserver(out, cluster is not None or options.wasm) as forkserver,
         Store(out / "grades.sqlite") as store,
     ):
-        files = assignments.files(assignment_folder)
+        files = assignments.files(options.assignment_folder)
         entries = list(submissions.find(submitted, _budgets(files)))
         homeworks, aside_reasons = _homeworks(entries, files)
-        count = count or _cores()
+        count = options.processes or _cores()
+        settings = grader.Settings(options.limits, options.bounds, options.trusting)
         if cluster is None:  # else each worker of the cluster does so for its machine
-            limits, bounds = grader.fit_memory(limits, count), grader.fit_memory(bounds, count)
+            settings = settings.fit_memory(count)
         with store.transaction():
             copies, aside = _by_attempt(entries, homeworks, aside_reasons, files)
-            plan = _plan(copies, aside, homeworks, store, limits)
+            plan = _plan(copies, aside, homeworks, store, settings.limits)
         progress(0, len(plan.pending))
         failures, waiting, turns = 0, [], _turns(plan, homeworks)
         with closing(
@@ -174,10 +153,10 @@ def grade(
                 plan.pending,
                 turns,
                 count,
-                grader.to_settings(limits, bounds, trusting),
+                settings,
                 cluster,
                 forkserver,
-                report if wasm else None,
+                report if options.wasm else None,
             )
         ) as judgements:
             for done, (pending, judgement, task_limits) in enumerate(judgements, start=1):
@@ -185,11 +164,7 @@ def grade(
                 store.record(
                     pending.task.key,
                     _version(pending.version, judgement.final, task_limits),
-                    judgement.verdicts,
-                    judgement.answers,
-                    judgement.remarks,
-                    judgement.hashes,
-                    judgement.seconds,
+                    judgement,
                 )
                 failures += judgement.final == NOT_FINAL
                 if judgement.final == ELSEWHERE:
@@ -201,7 +176,7 @@ def grade(
 
 def _require_hidden(*folders):
     """Refuse folders that notebooks can read in the sandbox of Linux."""
-    from workbook.grading.sandbox import isolation
+    from workbook.grading.sandbox import isolation  # for Linux only
 
     for folder in folders:
         if (visible := isolation.visible_parent(folder)) is not None:
@@ -278,7 +253,7 @@ def _early_forkserver(out, needless):
     if needless or (out / "grades.sqlite").exists():
         yield None
         return
-    from workbook.grading.sandbox.forkserver import Forkserver
+    from workbook.grading.sandbox.forkserver import Forkserver  # for Linux only
 
     with closing(Forkserver.start(preloading.ALWAYS)) as forkserver:
         yield forkserver
@@ -287,19 +262,18 @@ def _early_forkserver(out, needless):
 def _judgements(pending, turns, count, settings, cluster, forkserver, report):
     """Yield (what was pending, its judgement, its limits) in the order they are done.
 
-    `settings` are those of `grader.to_settings`; with `report`, notebooks run in WebAssembly.
+    With `report`, notebooks run in WebAssembly.
     """
-    limits = Limits(**settings["limits"])
     for unreadable in pending:
         if trouble := unreadable.submission.trouble:
             exercise = exercises.find(unreadable.task.problem)
-            yield unreadable, grader.unreadable_notebook(exercise, trouble), limits
+            yield unreadable, grader.unreadable_notebook(exercise, trouble), settings.limits
     by_key = {p.task.key: p for p in pending if not p.submission.trouble}
     if not by_key:
         return
     count = min(count, len(by_key))
     if report is not None:
-        from workbook.grading.pool import spawned_workers
+        from workbook.grading.pool import spawned_workers  # needs the extra `wasm`
 
         grading = spawned_workers.grade_all(turns, count, settings, report)
     else:
@@ -307,11 +281,11 @@ def _judgements(pending, turns, count, settings, cluster, forkserver, report):
             {p.task.problem for p in by_key.values()},
             [source for p in by_key.values() for source in p.task.sources],
         )
-        settings |= {"modules": modules}
+        settings = replace(settings, modules=modules)
         if cluster is not None:
             grading = cluster.grade_all(turns, settings)
         else:
-            from workbook.grading.pool import worker_pool
+            from workbook.grading.pool import worker_pool  # for Linux only
 
             grading = worker_pool.grade_all(turns, count, settings, forkserver)
     with closing(grading) as results:
@@ -321,7 +295,7 @@ def _judgements(pending, turns, count, settings, cluster, forkserver, report):
             yield (
                 by_key[key],
                 judgement,
-                Limits(**result["limits"]) if "limits" in result else limits,
+                Limits(**result["limits"]) if "limits" in result else settings.limits,
             )
 
 

@@ -230,7 +230,7 @@ class Store:
         ).fetchone()
         return row[0] if row else 0.0
 
-    def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None, seconds=0.0):
+    def record(self, attempt, exercise, judgement):
         """Store a result, completely or not at all; it replaces one by the same exercise.
 
         Parameters
@@ -239,15 +239,10 @@ class Store:
             The id of the attempt.
         exercise : str
             The version of the exercise.
-        verdicts, answers : dict
-            `Verdict` and short text by answer.
-        remarks : sequence of str
-            On the notebook.
-        hashes : dict, optional
-            SHA-256 by answer.
-        seconds : float
-            Of computing that it took.
+        judgement : Judgement
+            The result.
         """
+        verdicts = judgement.verdicts.items()
         self._database.execute(
             "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, "
             "graded, hashes, seconds) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
@@ -255,14 +250,14 @@ class Store:
                 attempt,
                 exercise,
                 json.dumps(
-                    {name: [v.status, v.message, v.mistake] for name, v in verdicts.items()},
+                    {name: [v.status, v.message, v.mistake] for name, v in verdicts},
                     ensure_ascii=False,
                 ),
-                json.dumps(answers, ensure_ascii=False),
-                json.dumps(list(remarks), ensure_ascii=False),
+                json.dumps(judgement.answers, ensure_ascii=False),
+                json.dumps(list(judgement.remarks), ensure_ascii=False),
                 datetime.now(UTC).isoformat(timespec="seconds"),
-                json.dumps(hashes or {}),
-                seconds,
+                json.dumps(judgement.hashes),
+                judgement.seconds,
             ),
         )
 

@@ -106,6 +106,7 @@ def proved_rows(problems, pool=()):
     InputError
         If there are no masters here, or none of the problems varies.
     """
+    # SymPy loads with them
     from workbook.authoring import read_master
     from workbook.authoring.variants import prove
 

@@ -4,7 +4,8 @@ A task has the code cells of a notebook; the result has verdicts and remarks, al
 """
 
 import json
-from dataclasses import asdict, dataclass, replace
+import math
+from dataclasses import asdict, dataclass, field, replace
 
 import psutil
 
@@ -13,7 +14,7 @@ from workbook.course import current
 from workbook.grading.pool import copying
 from workbook.grading.pool.judging import Bounds, Judge, Judgement
 from workbook.grading.sandbox.limits import Limits
-from workbook.grading.sandbox.preloading import ALWAYS, preload
+from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, preload
 from workbook.notebooks import exercises
 
 
@@ -160,25 +161,53 @@ def from_plain(data):
     )
 
 
-def fit_memory(limits, count):
-    """Return the limits with less memory, so that `count` workers leave half of the machine's."""
+def _fit_memory(limits, count):
     megabytes = psutil.virtual_memory().total // 2**20
     return replace(
         limits, memory_megabytes=min(limits.memory_megabytes, max(256, megabytes // 2 // count))
     )
 
 
-def to_settings(limits, bounds, trusting=False):
-    """Return limits, bounds and the folder of the course, to send to another process."""
+def _course_folder():
     course = current()
-    return {
-        "limits": asdict(limits),
-        "bounds": asdict(bounds),
-        "trusting": trusting,
-        "course": str(course.folder) if course else None,
-    }
+    return str(course.folder) if course else None
 
 
-def from_settings(settings):
-    """Return (limits, bounds, trusting) of what `to_settings` made."""
-    return Limits(**settings["limits"]), Bounds(**settings["bounds"]), settings["trusting"]
+@dataclass(frozen=True)
+class Settings:
+    """What is the same for all notebooks of a run, sent to each process that grades.
+
+    Parameters
+    ----------
+    limits, bounds : Limits, Bounds
+        Those of running and of judging a notebook.
+    trusting : bool
+        Whether notebooks run without a sandbox.
+    modules : dict
+        What the forkserver imports, as of `preloading.modules_for`.
+    idle_seconds : float
+        How long a worker process waits for a task before it ends.
+    course : str or None
+        Folder of the course; by default that of this process.
+    """
+
+    limits: Limits = field(default_factory=Limits)
+    bounds: Bounds = field(default_factory=Bounds)
+    trusting: bool = False
+    modules: dict = field(
+        default_factory=lambda: {"notebooks": [*ALWAYS, *LIBRARIES], "checks": []}
+    )
+    idle_seconds: float = math.inf
+    course: str | None = field(default_factory=_course_folder)
+
+    def fit_memory(self, count):
+        """Return the settings with less memory, so that `count` workers leave half of it."""
+        return replace(
+            self, limits=_fit_memory(self.limits, count), bounds=_fit_memory(self.bounds, count)
+        )
+
+    @classmethod
+    def from_plain(cls, data):
+        """Return the settings that `dataclasses.asdict` made plain data of."""
+        parts = {"limits": Limits(**data["limits"]), "bounds": Bounds(**data["bounds"])}
+        return cls(**data | parts)

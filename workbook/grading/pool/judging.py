@@ -139,7 +139,8 @@ class Judge:
             fresh, began = self._process.fresh, time.monotonic()
             try:
                 judgement = self._process.judgement(
-                    outcome.handed_over, cells, names, remaining, self._bounds.memory_megabytes
+                    outcome.handed_over,
+                    _Request(cells, names, remaining, self._bounds.memory_megabytes),
                 )
             except RuntimeError as error:
                 judgement, fresh = None, fresh or isinstance(error, TimeLimit)
@@ -212,7 +213,7 @@ def _one_by_one(cells, handed_over, names, bounds):
         process, before = _JudgingProcess(cells), _seconds_of_children()
         try:
             judgement = process.judgement(
-                handed_over, cells, names, seconds, bounds.memory_megabytes, only=name
+                handed_over, _Request(cells, names, seconds, bounds.memory_megabytes, name)
             )
             verdicts[name], remarks = judgement.verdicts[name], judgement.remarks
             answers |= judgement.answers
@@ -246,6 +247,16 @@ def _seconds_of_children():
     return used.children_user + used.children_system
 
 
+class _Request(NamedTuple):
+    """What is to be judged by `cells`: the answers `names`, or `only` one, and within which bounds."""
+
+    cells: tuple
+    names: list
+    seconds: float
+    megabytes: int
+    only: str | None = None
+
+
 class _JudgingProcess:
     """A child that judges one notebook after the other; it first runs the data cells of `cells`.
 
@@ -259,14 +270,14 @@ class _JudgingProcess:
         self.fresh, self.has_grown, self.seconds_used = True, False, 0.0
         receiver.close()
 
-    def judgement(self, handed_over, cells, names, seconds, megabytes, only=None):
-        """Judge all answers, or `only` one; raise `TimeLimit` or another `RuntimeError`."""
-        self.fresh, self.seconds_used = False, seconds  # if it ends without a result
+    def judgement(self, handed_over, request):
+        """Judge what was handed over; raise `TimeLimit` or another `RuntimeError`."""
+        self.fresh, self.seconds_used = False, request.seconds  # if it ends without a result
         with suppress(OSError):  # it has died, which reading its result shows
-            self._sender.send_bytes(json.dumps([cells, names, seconds, megabytes, only]).encode())
+            self._sender.send_bytes(json.dumps(request).encode())
             self._sender.send_bytes(handed_over)
-        memory = math.inf if sys.platform == "linux" else megabytes * 2**20
-        result = self._child.result(timeout=3 * seconds, memory=memory)
+        memory = math.inf if sys.platform == "linux" else request.megabytes * 2**20
+        result = self._child.result(timeout=3 * request.seconds, memory=memory)
         verdicts, answers, remarks, stopped, hashes, self.has_grown, self.seconds_used = result
         return Judgement(
             {name: Verdict(*verdict) for name, verdict in verdicts.items()},
@@ -290,7 +301,7 @@ MAX_GROWTH = 2**29
 def _serve(receiver, sender, cells):
     """Judge each request until the pipe closes."""
     if sys.platform == "linux":
-        from workbook.grading.sandbox.system_calls import die_with_parent
+        from workbook.grading.sandbox.system_calls import die_with_parent  # for Linux only
 
         die_with_parent(multiprocessing.parent_process().pid)
     sender.close()  # or the pipe would not end when the parent closes its copy
@@ -298,11 +309,11 @@ def _serve(receiver, sender, cells):
     size_at_start = _address_space_bytes()
     with suppress(EOFError):
         while True:
-            cells, names, seconds, megabytes, only = json.loads(receiver.recv_bytes())
+            request = _Request(*json.loads(receiver.recv_bytes()))
             began = time.process_time()
             _reset()
-            _set_limits(seconds, megabytes)
-            result = _judge(receiver.recv_bytes(), tuple(map(tuple, cells)), names, only)
+            _set_limits(request)
+            result = _judge(receiver.recv_bytes(), request)
             has_grown = _address_space_bytes() > size_at_start + MAX_GROWTH
             yield [*result, has_grown, time.process_time() - began]
 
@@ -318,14 +329,14 @@ def _reset():
         generator.seed(0)
 
 
-def _set_limits(seconds, megabytes):
+def _set_limits(request):
     """Limit what this process may use from now on, where the kernel does that."""
     if sys.platform != "linux":
         return
-    import resource
+    import resource  # Linux has it
 
-    memory = _address_space_bytes() + megabytes * 2**20
-    cpu_time = int(time.process_time() + seconds) + 1
+    memory = _address_space_bytes() + request.megabytes * 2**20
+    cpu_time = int(time.process_time() + request.seconds) + 1
     for kind, bound in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, cpu_time)):
         resource.setrlimit(kind, (bound, resource.getrlimit(kind)[1]))
 
@@ -334,7 +345,7 @@ def _address_space_bytes():
     """Return the bytes of address space of this process; 0 where only the parent limits it."""
     if sys.platform != "linux":
         return 0
-    from workbook.grading.sandbox.system_calls import address_space_bytes
+    from workbook.grading.sandbox.system_calls import address_space_bytes  # for Linux only
 
     return address_space_bytes()
 
@@ -355,19 +366,20 @@ def _after_data_cells(cells):
     return namespace, cells[first:]
 
 
-def _judge(handed_over, cells, names, only):
+def _judge(handed_over, request):
     """Decode the bytes strictly, keep the answers asked for, and judge them."""
     read = texts = assigned = None
+    names = request.names
 
     def answers():
         nonlocal read, texts, assigned
-        read = _parse(handed_over, [name for name in names if only in (None, name)])
+        read = _parse(handed_over, [name for name in names if request.only in (None, name)])
         values = decoded(read.encoded, read.unreadable, names)
         texts = {name: _short_text(values[name]) for name in read.encoded}
         assigned = {*read.encoded, *read.unreadable, *cell_watch.stopped, *cell_watch.meant}
         return values
 
-    namespace, following = _after_data_cells(cells)
+    namespace, following = _after_data_cells(tuple(map(tuple, request.cells)))
     verdicts = judge_answers(following, answers, names, namespace and dict(namespace))
     hashes = {
         name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()

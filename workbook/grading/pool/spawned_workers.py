@@ -11,7 +11,7 @@ from contextlib import suppress
 from multiprocessing import connection
 
 from workbook import course
-from workbook.grading.pool.grader import Grader, Task, from_settings, to_plain
+from workbook.grading.pool.grader import Grader, Task, to_plain
 from workbook.grading.pool.judging import grader_failure
 from workbook.grading.sandbox.limits import SandboxUnavailableError
 from workbook.grading.sandbox.wasm import compiled, wasm_sandbox
@@ -30,8 +30,8 @@ def grade_all(tasks, count, settings, report):
         The notebooks.
     count : int
         Number of worker processes.
-    settings : dict
-        As of `grader.to_settings`.
+    settings : Settings
+        The same for all of them.
     report : callable
         Gets one line before something that takes long.
 
@@ -118,13 +118,14 @@ def run(pipe, lifeline, settings, root):
     A guest that runs meanwhile ends when the pipe `lifeline` closes, however the grader ended.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the grader, which ends this
-    limits, bounds, _ = from_settings(settings)
-    course.enter(settings["course"])
+    course.enter(settings.course)
     forks = sys.platform == "linux"  # elsewhere the process that judges imports what it needs
     with suppress(EOFError, OSError):
         try:
             with Grader(
-                wasm_sandbox.WasmSandbox(root, limits, lifeline), bounds, has_checks=not forks
+                wasm_sandbox.WasmSandbox(root, settings.limits, lifeline),
+                settings.bounds,
+                has_checks=not forks,
             ) as grader:
                 pipe.send_bytes(b'{"ready": true}')
                 while True:

@@ -4,19 +4,18 @@ A `grader.Task` goes in and its result comes back as it is done, both as JSON by
 """
 
 import json
-import math
 import os
 import signal
 import sys
 from contextlib import suppress
+from dataclasses import asdict
 
 from workbook import course
-from workbook.grading.pool.grader import Grader, Task, from_settings, to_plain
+from workbook.grading.pool.grader import Grader, Settings, Task, to_plain
 from workbook.grading.pool.judging import grader_failure
 from workbook.grading.sandbox import framing, sandbox
 from workbook.grading.sandbox.forkserver import WORKER_PROCESS, Forkserver
 from workbook.grading.sandbox.limits import ProcessStartError, SandboxUnavailableError
-from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES
 
 
 class WorkerStartError(ProcessStartError):
@@ -36,8 +35,8 @@ def grade_all(tasks, count, settings, forkserver=None):
         The notebooks.
     count : int
         Number of worker processes.
-    settings : dict
-        As of `grader.to_settings`, with "modules" as of `preloading.modules_for`.
+    settings : Settings
+        The same for all of them.
     forkserver : Forkserver, optional
         One that has begun to import what they need; it is closed in the end.
 
@@ -76,7 +75,7 @@ def grade_all(tasks, count, settings, forkserver=None):
                     if not forkserver.alive():
                         forkserver.close()
                         forkserver = Forkserver.start(
-                            [name for names in modules(settings).values() for name in names]
+                            [name for names in settings.modules.values() for name in names]
                         )
                     position = workers.index(worker)
                     worker = WorkerProcess(settings, forkserver).start()
@@ -93,19 +92,14 @@ def grade_all(tasks, count, settings, forkserver=None):
         forkserver.close()
 
 
-def modules(settings):
-    """Return what the forkserver of worker processes imports, for notebooks and for checks."""
-    return settings.get("modules", {"notebooks": [*ALWAYS, *LIBRARIES], "checks": []})
-
-
 def start_workers(workers, count, settings, forkserver):
     """Start `count` worker processes, each added to the list `workers` at once for its owner.
 
     The forkserver of their sandboxes is forked before this one imports what only checks use.
     """
-    forkserver.load(modules(settings)["notebooks"])
+    forkserver.load(settings.modules["notebooks"])
     workers += [WorkerProcess(settings, forkserver) for _ in range(count)]
-    forkserver.load(modules(settings)["checks"])
+    forkserver.load(settings.modules["checks"])
     for worker in workers:
         worker.start()
 
@@ -129,7 +123,7 @@ class WorkerProcess:
     def __init__(self, settings, forkserver):
         self.forkserver, self._settings = forkserver, settings
         self._pid = self._exit_code = self._requests = None
-        self._bubblewrap = None if settings["trusting"] else forkserver.bubblewrap
+        self._bubblewrap = None if settings.trusting else forkserver.bubblewrap
         # A forkserver of its own, from which its sandboxes are forked.
         self._sandbox_forkserver, self._control = forkserver.spawn_child()
 
@@ -140,7 +134,7 @@ class WorkerProcess:
         try:
             self._pid = self.forkserver.fork(
                 WORKER_PROCESS,
-                [self._settings, self._bubblewrap],
+                [asdict(self._settings), self._bubblewrap],
                 [requests_end, results_end, None, self._control.fileno()],
             )
         finally:
@@ -222,7 +216,7 @@ def _exit_on_sigterm(*_):
 
 
 def run_worker(settings, bubblewrap):
-    """Grade the tasks that come in until none does, or none for "idle_seconds" of the settings.
+    """Grade the tasks that come in until none does, or none for their `idle_seconds`.
 
     For a process forked from a forkserver, with requests on 0, results on 1, and on 3 the control
     socket of the forkserver that its sandboxes are forked from.
@@ -233,17 +227,16 @@ def run_worker(settings, bubblewrap):
     results = os.dup(1)
     os.dup2(2, 1)
     with suppress(framing.FramingError):
-        limits, bounds, trusting = from_settings(settings)
-        course.enter(settings["course"])
-        idle_seconds = settings.get("idle_seconds", math.inf)
+        settings = Settings.from_plain(settings)
+        course.enter(settings.course)
         try:
-            inside = (sandbox.Unsandboxed if trusting else sandbox.Sandbox)(
-                limits, forkserver=forkserver, modules=modules(settings)["notebooks"]
+            inside = (sandbox.Unsandboxed if settings.trusting else sandbox.Sandbox)(
+                settings.limits, forkserver=forkserver, modules=settings.modules["notebooks"]
             )
-            with Grader(inside, bounds, has_checks=True) as grader:
+            with Grader(inside, settings.bounds, has_checks=True) as grader:
                 framing.send(results, b'{"ready": true}')
                 while True:
-                    result = grader.grade(Task.from_json(framing.receive(0, idle_seconds)))
+                    result = grader.grade(Task.from_json(framing.receive(0, settings.idle_seconds)))
                     if not forkserver.alive():
                         # No further sandbox is available: another worker process replaces this one.
                         return

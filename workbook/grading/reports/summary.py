@@ -14,6 +14,8 @@ from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.reports.other_numbers import right_for_others
 from workbook.grading.reports.pages import answer_name, count, page, person, points, table
 
+#: Bars of the histogram; most failures, pairs, and entries of a pair that are listed.
+BARS, FAILURES, PAIRS, SHARED = 10, 10, 30, 8
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
 
 
@@ -135,14 +137,14 @@ def _unusable(scores):
     )
 
 
-def _histogram(assignment, scores, bars=10):
+def _histogram(assignment, scores):
     if assignment.max_points == 0:
         return "<p>Nothing is worth a point.</p>"
     counts = Counter(
-        min(int(bars * score.points / assignment.max_points + 1e-9), bars - 1) for score in scores
+        min(int(BARS * score.points / assignment.max_points + 1e-9), BARS - 1) for score in scores
     )
     tallest, width, height, top = max(counts.values()), 60, 130, 26
-    floor, end = height + top, bars * width + 6
+    floor, end = height + top, BARS * width + 6
     elements = []
     for k in sorted(counts):
         tall = height * counts[k] / tallest
@@ -156,18 +158,18 @@ def _histogram(assignment, scores, bars=10):
     elements.append(
         f'<line x1="0" x2="{end}" y1="{floor + 0.5}" y2="{floor + 0.5}" stroke="var(--soft)"/>'
     )
-    for k in range(0, bars + 1, 2):
-        anchor = "start" if k == 0 else "end" if k == bars else "middle"
+    for k in range(0, BARS + 1, 2):
+        anchor = "start" if k == 0 else "end" if k == BARS else "middle"
         elements.append(
             f'<text x="{k * width + 3}" y="{floor + 20}" '
-            f'text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>'
+            f'text-anchor="{anchor}">{points(assignment.max_points * k / BARS)}</text>'
         )
     elements.append(
         f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number '
         "of students</text>"
     )
     spread = ", ".join(
-        f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts)
+        f"{counts[k]} from {points(assignment.max_points * k / BARS)}" for k in sorted(counts)
     )
     label = f"Number of students by points: {spread}"
     return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(elements)}</svg>'
@@ -215,7 +217,7 @@ def _mistakes(scores):
     return table(("students", "answer", "what they were asked", "who"), rows)
 
 
-def _failures(scores, limit=10):
+def _failures(scores):
     """List the most common failed properties, regardless of the numbers in their messages."""
     counts, example = Counter(), {}
     for score in scores:
@@ -232,7 +234,7 @@ def _failures(scores, limit=10):
     rows = [
         f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
         f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
-        for failure, times in counts.most_common(limit)
+        for failure, times in counts.most_common(FAILURES)
     ]
     return table(("times", "answer", "what failed, in the words of one of them"), rows)
 
@@ -260,15 +262,15 @@ def _identical(scores):
     return table(("times", "answer", "given", "by"), rows)
 
 
-def _pairs(pairs, limit=30, listed=8):
+def _pairs(pairs):
     """List what pairs share, with the number of students who have it."""
     rows = []
-    for pair in pairs[:limit]:
+    for pair in pairs[:PAIRS]:
         entries = "".join(
             f"<li><code>{escape(name)}</code> ({students} students)</li>"
-            for name, students in pair.shared[:listed]
+            for name, students in pair.shared[:SHARED]
         )
-        more = len(pair.shared) - listed
+        more = len(pair.shared) - SHARED
         if more > 0:
             entries += f"<li>and {more} more</li>"
         rows.append(
@@ -276,7 +278,7 @@ def _pairs(pairs, limit=30, listed=8):
             f"<td>{len(pair.shared)} {pair.kind}</td>"
             f"<td><ul>{entries}</ul></td></tr>"
         )
-    more = f"<p>{len(pairs) - limit} more pairs share less.</p>" if len(pairs) > limit else ""
+    more = f"<p>{len(pairs) - PAIRS} more pairs share less.</p>" if len(pairs) > PAIRS else ""
     return (
         "<p>Whole notebooks, wrong answers in the same form, lines of code, and runs of three "
         "statements that are equal but for the names of variables (its first line is shown), as far "

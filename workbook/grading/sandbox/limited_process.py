@@ -86,7 +86,7 @@ def _limits(seconds, memory):
     """
     if sys.platform != "linux":
         return lambda: None
-    import resource
+    import resource  # Linux has it
 
     from workbook.grading.sandbox.system_calls import address_space_bytes, die_with_parent
 

@@ -63,7 +63,7 @@ def run(request):
         of cells, from 1, that are stopped after "seconds"; "left out": numbers of cells that are
         not run, but count as stopped.
     """
-    from workbook.notebooks import cells
+    from workbook.notebooks import cells  # loaded by `boot`
 
     request = json.loads(request)
     cells._prepared.append(Shell(request, cells.CellTimeout))
@@ -73,7 +73,7 @@ def run(request):
 
 def tell(message):
     """Send bytes to the host by the only function that this guest gets from it."""
-    import _host
+    import _host  # the guest has it
 
     _host.call(message)
 
@@ -139,7 +139,7 @@ class Shell:
 
 def parsed(source, name):
     """Return the syntax tree of a cell, without its magics."""
-    from workbook.checks.contract.typed_code import read_typed
+    from workbook.checks.contract.typed_code import read_typed  # loaded by `boot`
 
     try:
         return ast.parse(source, name)
