@@ -53,6 +53,7 @@ class FixedSpectrum:
 
     @property
     def margin(self):
+        """Former name of `degree`, refused."""
         raise AttributeError("margin is called degree now")
 
     def _repr_markdown_(self):
