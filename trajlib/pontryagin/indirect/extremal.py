@@ -15,7 +15,6 @@ from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.problem.times_of_process import times_of_process
 from trajlib.pontryagin.verification.certificate import Certificate, certify
 from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
-from trajlib.pontryagin.verification.proof import prove
 from trajlib.pontryagin.verification.second_variation import extremal_second_variation
 
 if TYPE_CHECKING:
@@ -209,6 +208,9 @@ class Extremal:
             or the reason why there is none.
         """
         if proved:
+            # Proofs load on demand: no extremal needs them.
+            from trajlib.pontryagin.verification.proof import prove
+
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
         residuals = self._residuals if points is None else self._certificate_at(points)
         return replace(residuals, optimality=self.optimality)
