@@ -25,6 +25,9 @@ def stub_text(package):
     others = imports(package, [name for name in names if name not in checks])
     if package == OF_CHECKS[0]:
         others = "from workbook.checks import research as research\n" + others
+        others += (
+            '\ndef is_of_workbook(name: str) -> bool:\n    """Return whether a name is taken."""\n'
+        )
     else:
         others += "from workbook.checks.contract.verdict import Verdict\n"
     return "\n".join(

@@ -11,6 +11,9 @@ from workbook.checks.contract.verdict import Unusable as Unusable
 from workbook.checks.contract.verdict import Verdict as Verdict
 from workbook.checks.contract.verdict import judged as judged
 
+def is_of_workbook(name: str) -> bool:
+    """Return whether a name is taken."""
+
 def adjoint_equations(claims: Any, problem: Any, costates: Any, domain: Any = ...) -> Verdict:
     """Check the right-hand sides of the adjoint equations with lambda_0 = 1."""
 
