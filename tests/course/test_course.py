@@ -1,32 +1,14 @@
 """A course of one's own: a folder with problems, proved, handed out with 1.15 and graded."""
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 from own_problems import SUBSPACE, fill_in
+from workbook_command import run
 
 from workbook import course
 from workbook.authoring import MasterError, new_course, new_problem, read_master
 from workbook.notebooks import exercises, origin
-
-ROOT = Path(__file__).resolve().parents[2]
-
-
-def run(*command, cwd, code=0):
-    done = subprocess.run(
-        [sys.executable, "-m", "workbook", *map(str, command)],
-        cwd=cwd,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
-    assert done.returncode == code, done.stdout + done.stderr
-    return done.stdout + done.stderr
 
 
 @pytest.fixture(autouse=True)

@@ -1,13 +1,11 @@
 """Checks in a course's `checks.py`, that of the guide: where they judge, and what is refused."""
 
 import os
-import subprocess
-import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 from own_problems import REACH, checks_of_the_guide, fill_in
+from workbook_command import run
 
 from workbook import checks, course, page
 from workbook.authoring import MasterError, new_course, new_problem, read_master
@@ -17,21 +15,7 @@ from workbook.grading.gradescope import bundle
 from workbook.grading.pool.fingerprint import fingerprint
 from workbook.notebooks import exercises
 
-ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOK = "chrobotics-p04.ipynb"
-
-
-def run(*command, cwd, code=0):
-    done = subprocess.run(
-        [sys.executable, "-m", "workbook", *map(str, command)],
-        cwd=cwd,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
-    assert done.returncode == code, done.stdout + done.stderr
-    return done.stdout + done.stderr
 
 
 @pytest.fixture(scope="module")

@@ -24,6 +24,7 @@ from selenium_axe_python import Axe
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 from workbook.page import run_cell
+from workbook.site.answer_boxes import boxes_of, in_order_of_boxes
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "book" / "answer_boxes"
@@ -31,8 +32,6 @@ BUNDLES = ROOT / "workbook" / "site" / "static" / "answer_boxes"
 sys.path[:0] = [str(ROOT / "book" / "_ext"), str(ROOT / "book")]
 
 import asked_again  # noqa: E402
-
-from workbook.site.answer_boxes import boxes_of, in_order_of_boxes  # noqa: E402
 
 PAGES = ("ch1/p15", "ch5/p57", "ch5/p03")
 BUILD = """

@@ -2,7 +2,6 @@
 
 import json
 import re
-import sys
 from contextlib import chdir, redirect_stdout
 from io import StringIO
 from pathlib import Path
@@ -12,9 +11,9 @@ import nbformat
 import numpy as np
 import pytest
 
+from workbook.site.downloads import page_notebook
+
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "book" / "_ext"))
-from workbook.site.downloads import page_notebook  # noqa: E402
 
 PAGES = sorted((ROOT / "book" / "guides" / "tutorials").glob("*.md"))
 MYST = re.compile(r"^\([\w-]+\)=|\{[\w:-]+\}`|^`{3,}\{", re.M)
