@@ -85,7 +85,7 @@ def processes_of(folder):
     return processes
 
 
-def wait_for_end(folder, seconds=60):
+def wait_for_end(folder, seconds=20):
     end = time.monotonic() + seconds
     while (remaining := processes_of(folder)) and time.monotonic() < end:
         time.sleep(0.2)
